@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_COMMAND_LINE_H
+#define SQUARE_MAP_COMMAND_LINE_H
+
+#include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
+
+#include "write_map.h"
+
+#include <boost/program_options.hpp>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace square_map {
+
+/// a command line that makes no sense
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// what the user asked for
+struct Command_line
+{
+  bool wants_help = false;
+  std::string help;
+  std::string input, output, json;
+  std::string strategy = "quarter-brute-force", minimizer = "iterative";
+  std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
+  bool is_quiet = false;
+  CGAL_ext::Square_map_options options;
+};
+
+/// the value that a name stands for, or a usage error that lists the names
+template <class Value>
+const Value &named(const std::map<std::string, Value> &values, const std::string &option, const std::string &name)
+{
+  const auto found = values.find(name);
+  if(found != values.end())
+    return found->second;
+  std::string names;
+  for(const auto &value : values)
+    names += (names.empty() ? "" : ", ") + value.first;
+  throw Usage_error("--" + option + " is one of: " + names + "; not '" + name + "'");
+}
+
+inline const std::map<std::string, CGAL_ext::Corner_search> &strategies()
+{
+  static const std::map<std::string, CGAL_ext::Corner_search> result{
+      {"none", CGAL_ext::First_candidate_corner_search()},
+      {"brute-force", CGAL_ext::Brute_force_corner_search()},
+      {"quarter-brute-force", CGAL_ext::Quarter_brute_force_corner_search()}};
+  return result;
+}
+
+typedef std::function<CGAL_ext::internal::Edge_weights(const CGAL_ext::internal::Patch &)> Weights;
+
+inline const std::map<std::string, Weights> &weights()
+{
+  using CGAL_ext::Shape_preserving_weights;
+  static const std::map<std::string, Weights> result{
+      {"blended", CGAL_ext::Blended_weights()},
+      {"shape-preserving", Shape_preserving_weights()},
+      {"shape-preserving-plain", Shape_preserving_weights(Shape_preserving_weights::Average::PLAIN)},
+      {"mean-value", CGAL_ext::Mean_value_weights()},
+      {"symmetric-mean-value", CGAL_ext::Symmetric_mean_value_weights()},
+      {"uniform", CGAL_ext::Uniform_weights()},
+      {"clamped-cotangent", CGAL_ext::Clamped_cotangent_weights()},
+      {"harmonic", CGAL_ext::Harmonic_weights()}};
+  return result;
+}
+
+/// the settings that reproduce the tables of the paper
+inline void apply_paper_preset(CGAL_ext::Square_map_options &options)
+{
+  options.minimization.weights = CGAL_ext::Shape_preserving_weights();
+  options.minimization.eta = 1;
+  options.minimization.patience = 0;
+  options.search_options.corner_rule = CGAL_ext::Corner_rule::AUTHOR;
+  options.chords = CGAL_ext::Chords::EARS;
+}
+
+/// four vertex numbers separated by commas
+inline std::array<std::size_t, 4> parse_corners(const std::string &text)
+{
+  std::array<std::size_t, 4> corners{};
+  std::istringstream stream(text);
+  char comma = ',';
+  for(int k = 0; k < 4; ++k)
+    if((k > 0 && !(stream >> comma)) || comma != ',' || !std::isdigit(stream.peek()) || !(stream >> corners[k]))
+      throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
+  if(!(stream >> std::ws).eof())
+    throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
+  return corners;
+}
+
+inline void check_outputs(const Command_line &line)
+{
+  namespace fs = std::filesystem;
+  if(!line.output.empty()) {
+    const std::string extension = fs::path(line.output).has_extension() ? extension_of(line.output) : "";
+    if(extension != "obj" && extension != "off" && extension != "ply")
+      throw Usage_error("the output '" + line.output + "' must end in .obj, .off or .ply");
+  }
+  std::vector<std::string> files{line.input, line.output, line.json == "-" ? "" : line.json};
+  for(std::size_t i = 0; i < files.size(); ++i)
+    for(std::size_t j = i + 1; j < files.size(); ++j) {
+      std::error_code error;
+      if(files[i].empty() || files[j].empty())
+        continue;
+      if(fs::weakly_canonical(files[i], error) == fs::weakly_canonical(files[j], error) ||
+         fs::equivalent(files[i], files[j], error))
+        throw Usage_error("'" + files[i] + "' and '" + files[j] + "' are the same file");
+    }
+}
+
+/// reads the command line; throws `Usage_error`
+inline Command_line parse_command_line(int argc, char **argv)
+{
+  namespace po = boost::program_options;
+  Command_line line;
+  std::string weights_name, rule, walk, preset, corners, border;
+  double eta = 0;
+  unsigned int patience = 0, threads = 0;
+  po::options_description visible("options");
+  visible.add_options()("help,h", "show this text")("output,o", po::value(&line.output)->value_name("FILE"),
+                                                    "the map: .obj, .off or .ply by extension")(
+      "strategy", po::value(&line.strategy)->value_name("NAME"),
+      "how corners are searched: brute-force, quarter-brute-force (default), none")(
+      "minimizer", po::value(&line.minimizer)->value_name("NAME"),
+      "iterative (default)")("border", po::value(&border)->value_name("NAME"), "fixed (default)")(
+      "weights", po::value(&weights_name)->value_name("NAME"),
+      "blended (default), shape-preserving, shape-preserving-plain, mean-value, symmetric-mean-value, uniform, "
+      "clamped-cotangent, harmonic")("corner-rule", po::value(&rule)->value_name("NAME"),
+                                     "where sides end: nearest (default), author")(
+      "walk", po::value(&walk)->value_name("NAME"),
+      "direction in which candidates are counted: counter-clockwise (default), clockwise")(
+      "preset", po::value(&preset)->value_name("NAME"), "paper: the settings of the published tables")(
+      "eta", po::value(&eta)->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3")(
+      "patience", po::value(&patience)->value_name("N"), "iterates that may fail to be lower; default 1")(
+      "threads", po::value(&threads)->value_name("N"),
+      "threads; 0 (default) for all cores")("corners", po::value(&corners)->value_name("a,b,c,d"),
+                                            "four border vertices, counter-clockwise, counted from 0: no search")(
+      "json", po::value(&line.json)->value_name("FILE"),
+      "report; - for standard output")("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
+  po::options_description all;
+  all.add(visible).add_options()("input", po::value(&line.input));
+  std::ostringstream help;
+  help << "usage: square_map INPUT [options]\n"
+          "maps a triangle mesh with one border (OFF, OBJ, PLY, STL) onto the unit square with little stretch\n"
+       << visible
+       << "exit status: 0 done; 2 bad command line; 3 unreadable or malformed file; 4 the surface cannot be mapped;\n"
+          "5 no one-to-one map was found\n";
+  line.help = help.str();
+
+  po::variables_map given;
+  try {
+    po::store(po::command_line_parser(argc, argv)
+                  .options(all)
+                  .positional(po::positional_options_description().add("input", 1))
+                  .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
+                  .run(),
+              given);
+    po::notify(given);
+  } catch(const po::error &error) {
+    throw Usage_error(error.what());
+  }
+  line.wants_help = given.count("help") != 0;
+  if(line.wants_help)
+    return line;
+  if(line.input.empty())
+    throw Usage_error("no input file is given");
+  for(const char *number : {"threads", "patience"}) // a negative number would wrap round
+    if(given.count(number) != 0 && given[number].as<unsigned int>() > 1000000)
+      throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
+
+  CGAL_ext::Square_map_options &options = line.options;
+  if(!preset.empty()) {
+    named<bool>({{"paper", true}}, "preset", preset);
+    apply_paper_preset(options);
+  }
+  named<bool>({{"iterative", true}}, "minimizer", line.minimizer);
+  if(!border.empty())
+    named<bool>({{"fixed", true}}, "border", border);
+  options.search = named(strategies(), "strategy", line.strategy);
+  if(!weights_name.empty())
+    options.minimization.weights = named(weights(), "weights", weights_name);
+  using CGAL_ext::Corner_rule;
+  using CGAL_ext::Walk;
+  if(!rule.empty())
+    options.search_options.corner_rule =
+        named<Corner_rule>({{"author", Corner_rule::AUTHOR}, {"nearest", Corner_rule::NEAREST}}, "corner-rule", rule);
+  if(!walk.empty())
+    options.search_options.walk =
+        named<Walk>({{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", walk);
+  if(given.count("eta") != 0) {
+    if(!(eta > 0 && eta <= 1))
+      throw Usage_error("--eta must be above 0 and at most 1");
+    options.minimization.eta = eta;
+  }
+  if(given.count("patience") != 0)
+    options.minimization.patience = patience;
+  options.search_options.number_of_threads = threads;
+  if(!corners.empty()) {
+    line.corners = parse_corners(corners);
+    line.strategy = "none";
+  }
+  check_outputs(line);
+  return line;
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_COMMAND_LINE_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_READ_SURFACE_H
+#define SQUARE_MAP_READ_SURFACE_H
+
+#include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace square_map {
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+/// a file that cannot be read, or whose content makes no sense
+struct Malformed_file : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// reads points and polygons through CGAL's readers (OFF, OBJ, PLY, STL by extension)
+inline CGAL_ext::internal::Surface_soup read_soup(const std::string &path)
+{
+  std::error_code error;
+  if(!std::filesystem::exists(path, error))
+    throw Malformed_file("cannot read '" + path + "': there is no such file");
+  if(!std::filesystem::is_regular_file(path, error))
+    throw Malformed_file("cannot read '" + path + "': it is not a regular file");
+  std::vector<Kernel::Point_3> points;
+  CGAL_ext::internal::Surface_soup soup;
+  bool is_read = false;
+  try {
+    is_read = CGAL::IO::read_polygon_soup(path, points, soup.faces, CGAL::parameters::verbose(false));
+  } catch(const std::exception &) {
+    // a header that promises more than memory holds
+  }
+  if(!is_read || (points.empty() && soup.faces.empty()))
+    throw Malformed_file("cannot read '" + path + "': it is not a complete OFF, OBJ, PLY or STL file");
+  for(const Kernel::Point_3 &p : points)
+    soup.points.emplace_back(p.x(), p.y(), p.z());
+  return soup;
+}
+
+/// refuses coordinates that are not finite and faces whose vertices do not exist
+inline void check_well_formed(const CGAL_ext::internal::Surface_soup &soup, const std::string &path)
+{
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(!soup.points[v].allFinite())
+      throw Malformed_file("'" + path + "' is malformed: vertex " + std::to_string(v) +
+                           " has a coordinate that is not finite");
+  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+    for(std::size_t v : soup.faces[f])
+      if(v >= soup.points.size())
+        throw Malformed_file("'" + path + "' is malformed: face " + std::to_string(f) + " names vertex " +
+                             std::to_string(v) + " of " + std::to_string(soup.points.size()));
+}
+
+/// the mesh of a conditioned soup; vertices and faces keep their order
+inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup &soup)
+{
+  Mesh mesh;
+  mesh.reserve(soup.points.size(), soup.points.size() + soup.faces.size(), soup.faces.size());
+  for(const Eigen::Vector3d &p : soup.points)
+    mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
+  for(const auto &face : soup.faces)
+    mesh.add_face(Mesh::Vertex_index(face[0]), Mesh::Vertex_index(face[1]), Mesh::Vertex_index(face[2]));
+  return mesh;
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_READ_SURFACE_H

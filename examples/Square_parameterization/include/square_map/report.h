@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_REPORT_H
+#define SQUARE_MAP_REPORT_H
+
+#include "Command_line.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace square_map {
+
+/// seconds spent in each part of the run
+struct Timings
+{
+  double read = 0, condition = 0, search = 0, final = 0, write = 0, total = 0;
+};
+
+/// a number for JSON, which has no infinity: null then
+inline nlohmann::ordered_json number(double x)
+{
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
+}
+
+/// the report of a run that made a map
+inline nlohmann::ordered_json make_report(const Command_line &line, std::size_t input_vertices, std::size_t input_faces,
+                                          const CGAL_ext::internal::Conditioning_report &conditioning, const Mesh &mesh,
+                                          const CGAL_ext::Square_map_result<Mesh> &result, const Timings &seconds)
+{
+  nlohmann::ordered_json json;
+  json["input"] = {{"file", line.input}, {"vertices", input_vertices}, {"faces", input_faces}};
+  json["conditioned"] = {{"vertices", mesh.number_of_vertices()},
+                         {"faces", mesh.number_of_faces()},
+                         {"border_edges", result.border_edges},
+                         {"seam_edges", 0},
+                         {"cut_length", 0},
+                         {"chords_split", result.chords_split},
+                         {"vertices_dropped", conditioning.vertices_dropped},
+                         {"faces_reoriented", conditioning.faces_reoriented}};
+  json["strategy"] = line.strategy;
+  json["minimizer"] = line.minimizer;
+  json["candidates"] = result.search.candidates;
+  json["evaluations"] = result.search.evaluations;
+  std::vector<std::size_t> corners;
+  for(Mesh::Vertex_index v : result.corners)
+    corners.push_back(v.idx());
+  json["best"] = {{"candidate", result.search.best_candidate},
+                  {"corners", corners},
+                  {"l2", result.measures.l2},
+                  {"linf", result.measures.linf},
+                  {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
+                  {"energy", result.measures.l2},
+                  {"flipped", result.measures.flipped_faces},
+                  {"iterations", result.minimization.iterations}};
+  json["curve"] = nlohmann::ordered_json::array();
+  for(const auto &sample : result.search.curve)
+    json["curve"].push_back({{"candidate", sample.candidate}, {"l2", number(sample.stretch)}});
+  json["threads"] = line.options.search_options.number_of_threads == 0
+                        ? tbb::this_task_arena::max_concurrency()
+                        : static_cast<int>(line.options.search_options.number_of_threads);
+  json["seconds"] = {{"read", seconds.read},   {"condition", seconds.condition}, {"search", seconds.search},
+                     {"final", seconds.final}, {"write", seconds.write},         {"total", seconds.total}};
+  return json;
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_REPORT_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_WRITE_MAP_H
+#define SQUARE_MAP_WRITE_MAP_H
+
+#include "read_surface.h"
+
+#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+namespace square_map {
+
+typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> UV_map;
+
+/// extension of the path in lower case, without the dot
+inline std::string extension_of(const std::string &path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// Wavefront OBJ: one texture vertex per vertex, faces `v/vt`
+inline void write_obj(std::ostream &stream, const Mesh &mesh, UV_map uv)
+{
+  for(Mesh::Vertex_index v : mesh.vertices())
+    stream << "v " << mesh.point(v) << '\n';
+  for(Mesh::Vertex_index v : mesh.vertices())
+    stream << "vt " << uv[v] << '\n';
+  for(Mesh::Face_index f : mesh.faces()) {
+    stream << 'f';
+    for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      stream << ' ' << v.idx() + 1 << '/' << v.idx() + 1;
+    stream << '\n';
+  }
+}
+
+/// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point) or
+/// ply (vertex properties s and t)
+inline void write_map(std::ostream &stream, Mesh &mesh, UV_map uv, const std::string &extension)
+{
+  if(extension == "obj")
+    write_obj(stream, mesh, uv);
+  else if(extension == "off")
+    CGAL::IO::write_OFF(stream, mesh, CGAL::parameters::vertex_texture_map(uv).stream_precision(17));
+  else {
+    auto s = mesh.add_property_map<Mesh::Vertex_index, double>("v:s").first;
+    auto t = mesh.add_property_map<Mesh::Vertex_index, double>("v:t").first;
+    for(Mesh::Vertex_index v : mesh.vertices()) {
+      s[v] = uv[v].x();
+      t[v] = uv[v].y();
+    }
+    CGAL::IO::write_PLY(stream, mesh, CGAL::parameters::stream_precision(17));
+  }
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_WRITE_MAP_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CIRCULAR_BORDER_ARC_LENGTH_PARAMETERIZER_3_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_CIRCULAR_BORDER_ARC_LENGTH_PARAMETERIZER_3_H
+
+#include <CGAL_ext/Square_parameterization/internal/Face_graph_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/write_uv.h>
+
+#include <optional>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationBorderParameterizers
+///
+/// parameterizes the border of a disk onto a circle around the origin by arc length, counter-clockwise, the source of the
+/// border halfedge at (radius, 0).
+///
+/// \cgalModels `Parameterizer_3`
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
+template <class TriangleMesh_>
+class Circular_border_arc_length_parameterizer_3
+{
+public:
+  typedef TriangleMesh_ Triangle_mesh;
+  typedef TriangleMesh_ TriangleMesh;
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
+
+  /// constructs the parameterizer.
+  /// \param radius of the circle, positive, in uv units; the default gives it the area 1
+  explicit Circular_border_arc_length_parameterizer_3(double radius = std::sqrt(1 / EIGEN_PI)) : m_radius(radius) {}
+
+  /// assigns to the vertices of the border their position on the circle, and marks them as parameterized.
+  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices or with an edge of no length, or
+  ///         `ERROR_WRONG_PARAMETER` for a radius that is not positive
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh &mesh, halfedge_descriptor bhd,
+                                                               VertexUVMap uvmap, VertexIndexMap /* vimap */,
+                                                               VertexParameterizedMap vpmap) const
+  {
+    namespace SMP = CGAL::Surface_mesh_parameterization;
+    if(!(m_radius > 0))
+      return SMP::ERROR_WRONG_PARAMETER;
+    if(bhd == boost::graph_traits<Triangle_mesh>::null_halfedge())
+      return SMP::ERROR_BORDER_TOO_SHORT;
+    const std::vector<vertex_descriptor> loop = internal::border_loop(bhd, mesh);
+    const std::optional<std::vector<double>> lengths = internal::border_lengths(loop, get(CGAL::vertex_point, mesh));
+    if(loop.size() < 3 || !lengths)
+      return SMP::ERROR_BORDER_TOO_SHORT;
+    internal::write_uv(loop, internal::circular_border(*lengths, m_radius), uvmap, vpmap);
+    return SMP::OK;
+  }
+
+  /// indicates if the border's shape is convex.
+  bool is_border_convex() const { return true; }
+
+private:
+  double m_radius;
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_CIRCULAR_BORDER_ARC_LENGTH_PARAMETERIZER_3_H

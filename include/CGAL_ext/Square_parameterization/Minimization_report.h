@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_MINIMIZATION_REPORT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_MINIMIZATION_REPORT_H
+
+#include <limits>
+#include <vector>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationEnums
+///
+/// why a minimization ended
+enum class Stop_reason
+{
+  STRETCH_GROWS,      ///< as many iterates in a row as the patience allows were not lower: the normal end
+  MAXIMUM_ITERATIONS, ///< the given number of iterations was reached
+  CANNOT_SOLVE,       ///< a linear system could not be solved; the best iterate before it, if any, is kept
+  INFEASIBLE_BORDER   ///< an interior edge has both ends on one side of the square: no one-to-one map exists
+};
+
+/// \ingroup PkgSquareParameterizationResults
+///
+/// says how a stretch-minimizing map was reached
+struct Minimization_report
+{
+  double l2 = std::numeric_limits<double>::infinity(); ///< L2 stretch of the map that was kept; dimensionless, least 1
+  unsigned int iterations = 0;                         ///< number of linear systems solved after the first
+  unsigned int best_iteration = 0;                     ///< the one whose map was kept; 0 is the first system
+  std::vector<double> l2_history;                      ///< L2 stretch after each system, `iterations` + 1 values
+  Stop_reason stop_reason = Stop_reason::INFEASIBLE_BORDER; ///< why the iteration ended
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_MINIMIZATION_REPORT_H

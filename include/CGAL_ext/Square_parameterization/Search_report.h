@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SEARCH_REPORT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_SEARCH_REPORT_H
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationResults
+///
+/// what a search for the corners of the square has found. Candidate `j` puts the border vertex met `j` steps along the
+/// walk from the start of the border onto the corner (0, 0).
+struct Search_report
+{
+  /// a point of the stretch curve
+  struct Sample
+  {
+    int candidate;
+    double stretch; ///< what the search minimises; infinite when the candidate has no one-to-one map
+  };
+
+  int candidates = 0;          ///< number of candidates the strategy could choose from
+  std::size_t evaluations = 0; ///< number of candidates that were mapped, each counted once
+  int best_candidate = -1;     ///< -1 when no candidate has a one-to-one map
+  double best_stretch = std::numeric_limits<double>::infinity(); ///< of the best candidate
+  std::array<int, 4> corners{}; ///< positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1)
+  std::vector<Sample> curve;    ///< the evaluated candidates, in the order of the candidates
+  bool is_cancelled = false;    ///< the callback stopped the search: the best so far is reported
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_SEARCH_REPORT_H

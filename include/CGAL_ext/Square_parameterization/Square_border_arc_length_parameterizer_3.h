@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_BORDER_ARC_LENGTH_PARAMETERIZER_3_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_BORDER_ARC_LENGTH_PARAMETERIZER_3_H
+
+#include <CGAL_ext/Square_parameterization/Corner_rule.h>
+#include <CGAL_ext/Square_parameterization/internal/Face_graph_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/write_uv.h>
+
+#include <array>
+#include <optional>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationBorderParameterizers
+///
+/// parameterizes the border of a disk onto the unit square by arc length, each side scaled by its own length, without a
+/// search.
+///
+/// It differs from CGAL's class of the same name in what it guarantees: the four corners are distinct and in order
+/// whatever the edge lengths, every border vertex lies on the square, and the map is not mirrored: faces that are
+/// counter-clockwise in 3D are counter-clockwise in the plane.
+///
+/// \cgalModels `Parameterizer_3`
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
+template <class TriangleMesh_>
+class Square_border_arc_length_parameterizer_3
+{
+public:
+  typedef TriangleMesh_ Triangle_mesh;
+  typedef TriangleMesh_ TriangleMesh;
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
+
+  /// constructs a parameterizer that puts the source of the border halfedge onto the corner (0, 0).
+  /// \param corner_rule where the sides of the square end
+  /// \param walk direction in which the sides are closed
+  explicit Square_border_arc_length_parameterizer_3(Corner_rule corner_rule = Corner_rule::NEAREST,
+                                                    Walk walk = Walk::COUNTER_CLOCKWISE)
+    : m_corner_rule(corner_rule), m_walk(walk)
+  {}
+
+  /// constructs a parameterizer that puts four given vertices onto the corners (0, 0), (1, 0), (1, 1) and (0, 1).
+  /// The vertices must be distinct and lie on the border, in counter-clockwise order; otherwise `parameterize()` returns
+  /// `ERROR_WRONG_PARAMETER`.
+  Square_border_arc_length_parameterizer_3(vertex_descriptor v0, vertex_descriptor v1, vertex_descriptor v2,
+                                           vertex_descriptor v3)
+    : m_corner_vertices({v0, v1, v2, v3})
+  {}
+
+  /// assigns to the vertices of the border their position on the square, and marks them as parameterized.
+  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than four vertices or with an edge of no length, or
+  ///         `ERROR_WRONG_PARAMETER`
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh &mesh, halfedge_descriptor bhd,
+                                                               VertexUVMap uvmap, VertexIndexMap /* vimap */,
+                                                               VertexParameterizedMap vpmap) const
+  {
+    namespace SMP = CGAL::Surface_mesh_parameterization;
+    if(bhd == boost::graph_traits<Triangle_mesh>::null_halfedge())
+      return SMP::ERROR_BORDER_TOO_SHORT;
+    const std::vector<vertex_descriptor> loop = internal::border_loop(bhd, mesh);
+    const std::optional<std::vector<double>> lengths = internal::border_lengths(loop, get(CGAL::vertex_point, mesh));
+    if(loop.size() < 4 || !lengths)
+      return SMP::ERROR_BORDER_TOO_SHORT;
+    const internal::Border_walk walk(*lengths, m_walk);
+    internal::Corners corners = internal::corners_of_candidate(walk, 0, m_corner_rule);
+    if(m_corner_vertices) {
+      for(int k = 0; k < 4; ++k)
+        corners[k] = static_cast<int>(std::find(loop.begin(), loop.end(), (*m_corner_vertices)[k]) - loop.begin());
+      if(*std::max_element(corners.begin(), corners.end()) == walk.size() ||
+         !internal::are_corners_in_order(corners, walk.size()))
+        return SMP::ERROR_WRONG_PARAMETER;
+    }
+    internal::write_uv(loop, internal::square_border(walk, corners).uv, uvmap, vpmap);
+    return SMP::OK;
+  }
+
+  /// indicates if the border's shape is convex.
+  bool is_border_convex() const { return true; }
+
+private:
+  Corner_rule m_corner_rule = Corner_rule::NEAREST;
+  Walk m_walk = Walk::COUNTER_CLOCKWISE;
+  std::optional<std::array<vertex_descriptor, 4>> m_corner_vertices;
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_BORDER_ARC_LENGTH_PARAMETERIZER_3_H

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_SEARCH_OPTIONS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_SEARCH_OPTIONS_H
+
+#include <CGAL_ext/Square_parameterization/Corner_rule.h>
+#include <CGAL_ext/Square_parameterization/Search_visitor.h>
+
+#include <functional>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationSearches
+///
+/// options that all searches for the corners of the square share
+struct Square_search_options
+{
+  Corner_rule corner_rule = Corner_rule::NEAREST; ///< where the sides of the square end
+  Walk walk = Walk::COUNTER_CLOCKWISE;            ///< direction in which candidates are counted and sides are closed
+  unsigned int number_of_threads = 0;             ///< 0 for all cores; the result is the same for any number
+  Search_visitor *visitor = nullptr;              ///< is told of the progress and of the result; may be null
+
+  /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1]. When it returns `false`
+  /// the search stops within one evaluation per thread and the best candidate so far is delivered, marked as cancelled.
+  std::function<bool(double)> callback;
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_SEARCH_OPTIONS_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZING_PARAMETERIZER_3_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZING_PARAMETERIZER_3_H
+
+#include <CGAL_ext/Square_parameterization/Quarter_brute_force_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/internal/Cgal_linear_solver.h>
+
+#include <CGAL/Default.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationParameterizers
+///
+/// computes a one-to-one map of a disk onto a convex planar domain that has little L2 stretch, by the iteration of
+/// Yoshizawa, Belyaev and Seidel \cgalCite{yoshizawa2004fast}.
+///
+/// The interior is first mapped by convex combinations with the base weights; then, again and again, the stretch
+/// \f$ \sigma_j \f$ of every vertex is measured (Sander et al. \cgalCite{cgal:ssgh-tmpm-01}), the weight of every neighbor
+/// \f$ j \f$ is divided by \f$ \sigma_j^\eta \f$, and the system is solved anew. The iterate of least stretch is kept. It
+/// deviates from the paper in its defaults: `eta` is 0.3, not 1, and one iterate may fail to be lower.
+///
+/// With positive base weights the map is one-to-one, unless an interior edge has both ends on one side of the square
+/// (`split_chords()` removes these); with `Harmonic_weights` a one-to-one map is *not* guaranteed. The result is checked
+/// by exact predicates in any case: `OK` means one-to-one.
+///
+/// With a border parameterizer of this package that searches the corners, each candidate is mapped by this
+/// parameterizer, and the best map found is the result. A border parameterizer of CGAL is taken as it is; when it mirrors
+/// the border, as CGAL's square borders do, the map is mirrored.
+///
+/// `parameterize()` returns `OK`, an error of the border parameterizer, `ERROR_NON_CONVEX_BORDER`,
+/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, `ERROR_NO_1_TO_1_MAPPING` (also when a face has no area), `ERROR_BORDER_TOO_SHORT`
+/// for fewer than four border vertices or a border edge of no length, `ERROR_NON_TRIANGULAR_MESH` or
+/// `ERROR_NO_TOPOLOGICAL_DISC` when the connected component at the border halfedge is not a triangulated disk, or
+/// `ERROR_WRONG_PARAMETER` when a coordinate is not finite or `eta` is out of range. The uv map is written only on `OK`,
+/// but for border vertices when the border parameterizer does not search.
+///
+/// Complexity: per iteration a sparse Cholesky factorization (LU for weights that are not symmetric), about
+/// \f$ V^{1.5} \f$ operations; the symbolic analysis is done once.
+///
+/// \cgalModels `Parameterizer_3`
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
+/// \tparam BorderParameterizer_ must be a model of `Parameterizer_3` with a convex border.
+///         <b>%Default:</b> `Quarter_brute_force_square_border_parameterizer_3<TriangleMesh_>`
+/// \tparam BaseWeights_ must be a model of `BaseWeights`. <b>%Default:</b> `Blended_weights`
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d`; a solver for symmetric matrices needs symmetric
+///         weights. <b>%Default:</b> a direct solver that suits the weights and keeps its symbolic analysis
+///
+/// \sa `CGAL_ext::parameterize_onto_square()`
+template <class TriangleMesh_, class BorderParameterizer_ = CGAL::Default, class BaseWeights_ = CGAL::Default,
+          class SolverTraits_ = CGAL::Default>
+class Stretch_minimizing_parameterizer_3
+{
+public:
+  typedef TriangleMesh_ Triangle_mesh;
+  typedef TriangleMesh_ TriangleMesh;
+  typedef typename CGAL::Default::Get<BorderParameterizer_,
+                                      Quarter_brute_force_square_border_parameterizer_3<TriangleMesh_>>::type
+      Border_parameterizer;
+  typedef typename CGAL::Default::Get<BaseWeights_, Blended_weights>::type Base_weights;
+  typedef SolverTraits_ Solver_traits;
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef CGAL::Surface_mesh_parameterization::Error_code Error_code;
+
+  /// constructs the parameterizer.
+  /// \param border maps the border
+  /// \param weights the weights of the first system
+  /// \param eta exponent of the stretch by which weights are divided; dimensionless, in ]0, 1], 1 is the paper's
+  /// \param patience number of iterates in a row that may fail to be lower before the iteration stops; 0 is the paper's
+  /// \param maximum_iterations largest number of linear systems solved after the first
+  /// \param visitor is told how the minimization of the delivered map went; may be null
+  explicit Stretch_minimizing_parameterizer_3(Border_parameterizer border = Border_parameterizer(),
+                                              Base_weights weights = Base_weights(), double eta = 0.3,
+                                              unsigned int patience = 1, unsigned int maximum_iterations = 100,
+                                              Search_visitor *visitor = nullptr)
+    : m_border(std::move(border)),
+      m_minimization{std::move(weights), eta, patience, maximum_iterations},
+      m_visitor(visitor)
+  {}
+
+  /// maps the connected component of \p mesh at the border halfedge \p bhd.
+  ///
+  /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with `vertex_descriptor` as key type and a 2D point as
+  ///         value type.
+  /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a unique
+  ///         integer as value type.
+  /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with `vertex_descriptor` as key type and a
+  ///         Boolean as value type.
+  template <class VertexUVmap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code parameterize(Triangle_mesh &mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap,
+                          VertexParameterizedMap vpmap)
+  {
+    namespace SMP = CGAL::Surface_mesh_parameterization;
+    if(!m_minimization.is_valid())
+      return SMP::ERROR_WRONG_PARAMETER;
+    if(!m_border.is_border_convex())
+      return SMP::ERROR_NON_CONVEX_BORDER;
+    try {
+      const Triangle_mesh &const_mesh = mesh;
+      const auto [patch, vertices] =
+          internal::make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
+      const internal::Stretch_iteration iteration = m_minimization.make_iteration(patch, &make_solver);
+      if constexpr(searches_corners<Border_parameterizer>::value) {
+        const internal::Search_outcome outcome = m_border.search(patch, iteration);
+        return deliver(outcome.map, vertices, uvmap, vpmap);
+      } else {
+        const Error_code status = m_border.parameterize(mesh, bhd, uvmap, vimap, vpmap);
+        if(status != SMP::OK)
+          return status;
+        const std::vector<vertex_descriptor> border = internal::select(vertices, patch.border);
+        return deliver(map_for_border(patch, iteration, internal::read_uv(border, uvmap)), vertices, uvmap, vpmap);
+      }
+    } catch(const internal::Unmappable &error) {
+      return error.code();
+    }
+  }
+
+private:
+  template <class Border, class = void>
+  struct searches_corners : std::false_type
+  {
+  };
+
+  template <class Border>
+  struct searches_corners<
+      Border, std::void_t<decltype(std::declval<const Border &>().search(
+                  std::declval<const internal::Patch &>(), std::declval<const internal::Stretch_iteration &>()))>>
+    : std::true_type
+  {
+  };
+
+  /// maps the interior for a given border; for a clockwise border through its mirror image
+  static internal::Minimized_map map_for_border(const internal::Patch &patch,
+                                                const internal::Stretch_iteration &iteration,
+                                                internal::Uv_coordinates border_uv)
+  {
+    double twice_area = 0;
+    for(Eigen::Index k = 0; k < border_uv.rows(); ++k) {
+      const auto p = border_uv.row(k), q = border_uv.row((k + 1) % border_uv.rows());
+      twice_area += p.x() * q.y() - p.y() * q.x();
+    }
+    const bool is_mirrored = twice_area < 0;
+    if(is_mirrored)
+      border_uv.col(0).swap(border_uv.col(1));
+    internal::Stretch_iteration::Workspace workspace;
+    internal::Minimized_map map = iteration.minimize(border_uv, std::abs(twice_area) / 2, workspace);
+    if(map.uv.rows() > 0 && internal::number_of_flipped_faces(patch.triangles, map.uv) > 0)
+      map.uv.resize(0, 2);
+    if(is_mirrored && map.uv.rows() > 0)
+      map.uv.col(0).swap(map.uv.col(1));
+    return map;
+  }
+
+  template <class VertexUVmap, class VertexParameterizedMap>
+  Error_code deliver(const internal::Minimized_map &map, const std::vector<vertex_descriptor> &vertices,
+                     VertexUVmap uvmap, VertexParameterizedMap vpmap) const
+  {
+    namespace SMP = CGAL::Surface_mesh_parameterization;
+    if(m_visitor != nullptr)
+      m_visitor->end_minimization(map.report);
+    if(map.uv.rows() == 0)
+      return map.report.stop_reason == Stop_reason::CANNOT_SOLVE ? SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM
+                                                                 : SMP::ERROR_NO_1_TO_1_MAPPING;
+    internal::write_uv(vertices, map.uv, uvmap, vpmap);
+    return SMP::OK;
+  }
+
+  static std::unique_ptr<internal::Linear_solver> make_solver(bool is_symmetric)
+  {
+    if constexpr(std::is_same_v<SolverTraits_, CGAL::Default>)
+      return internal::make_direct_solver(is_symmetric);
+    else
+      return std::make_unique<internal::Cgal_linear_solver<SolverTraits_>>(is_symmetric);
+  }
+
+  Border_parameterizer m_border;
+  Stretch_minimization m_minimization;
+  Search_visitor *m_visitor;
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZING_PARAMETERIZER_3_H

@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CANDIDATE_EVALUATION_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CANDIDATE_EVALUATION_H
+
+#include <CGAL_ext/Square_parameterization/Search_visitor.h>
+#include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// thrown out of a strategy by the evaluation when the callback asks to stop
+struct Search_cancelled
+{
+};
+
+/// maps candidates concurrently, each at most once, and keeps their stretch and the best map.
+///
+/// The result does not depend on the number of threads: each map is computed from its candidate alone, and among equal
+/// stretches the lowest candidate wins. Memory: one map, one workspace per thread, and one number per evaluation.
+/// This is the only file that knows threads.
+class Candidate_evaluation
+{
+public:
+  /// maps one candidate; called by one thread at a time
+  using Worker = std::function<Minimized_map(int candidate)>;
+
+  /// \param make_worker makes the worker of a thread
+  /// \param number_of_threads 0 for all cores
+  /// \param callback asked before each evaluation, with the share of the candidates evaluated so far; `false` stops.
+  ///        May be empty.
+  Candidate_evaluation(int number_of_candidates, const std::function<Worker()> &make_worker,
+                       unsigned int number_of_threads, Search_visitor *visitor, std::function<bool(double)> callback)
+    : m_number_of_candidates(number_of_candidates),
+      m_workers(make_worker),
+      m_arena(number_of_threads == 0 ? static_cast<int>(tbb::task_arena::automatic)
+                                     : static_cast<int>(number_of_threads)),
+      m_visitor(visitor),
+      m_callback(std::move(callback))
+  {}
+
+  /// the stretch of \p candidates, in their order. Throws `Search_cancelled` as soon as the candidates that are under
+  /// way are finished when the callback returns `false`.
+  std::vector<double> operator()(const std::vector<int> &candidates)
+  {
+    std::vector<int> missing;
+    for(int candidate : candidates)
+      if(m_stretch.emplace(candidate, std::numeric_limits<double>::infinity()).second)
+        missing.push_back(candidate);
+    std::vector<char> is_done(missing.size(), false);
+    m_arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, missing.size(), 1),
+          [&](const auto &range) {
+            for(std::size_t i = range.begin(); i != range.end() && may_continue(); ++i) {
+              evaluate(missing[i]);
+              is_done[i] = true;
+            }
+          },
+          tbb::simple_partitioner());
+    });
+    for(std::size_t i = 0; i < missing.size(); ++i)
+      if(!is_done[i])
+        m_stretch.erase(missing[i]);
+    if(m_is_cancelled)
+      throw Search_cancelled();
+    std::vector<double> result;
+    for(int candidate : candidates)
+      result.push_back(m_stretch.at(candidate));
+    return result;
+  }
+
+  const Minimized_map &best_map() const { return m_best_map; }
+
+  /// what has been found, but for the corners
+  Search_report report() const
+  {
+    Search_report report;
+    report.candidates = m_number_of_candidates;
+    report.evaluations = m_stretch.size();
+    report.best_candidate = m_best_candidate;
+    report.best_stretch = m_best_map.report.l2;
+    report.is_cancelled = m_is_cancelled;
+    for(const auto &[candidate, stretch] : m_stretch)
+      report.curve.push_back({candidate, stretch});
+    return report;
+  }
+
+private:
+  bool may_continue()
+  {
+    if(m_is_cancelled)
+      return false;
+    if(m_callback) {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if(!m_is_cancelled && !m_callback(double(m_finished) / m_number_of_candidates))
+        m_is_cancelled = true;
+    }
+    return !m_is_cancelled;
+  }
+
+  void evaluate(int candidate)
+  {
+    Minimized_map map = m_workers.local()(candidate);
+    const double stretch = map.report.l2;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_stretch.at(candidate) = stretch;
+    ++m_finished;
+    if(stretch < m_best_map.report.l2 || (stretch == m_best_map.report.l2 && candidate < m_best_candidate)) {
+      m_best_candidate = candidate;
+      m_best_map = std::move(map);
+    }
+    if(m_visitor != nullptr)
+      m_visitor->after_evaluation({candidate, stretch});
+  }
+
+  const int m_number_of_candidates;
+  tbb::enumerable_thread_specific<Worker> m_workers;
+  tbb::task_arena m_arena;
+  Search_visitor *m_visitor;
+  std::function<bool(double)> m_callback;
+
+  std::mutex m_mutex; // guards what follows while threads run
+  std::map<int, double> m_stretch;
+  std::size_t m_finished = 0;
+  int m_best_candidate = -1;
+  Minimized_map m_best_map;
+  std::atomic<bool> m_is_cancelled{false};
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CANDIDATE_EVALUATION_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_H
+
+#include <CGAL_ext/Square_parameterization/internal/Unmappable.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// uv coordinates, #V by 2: row `v` is the image of vertex `v`
+using Uv_coordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+/// a triangle laid into its own plane, counter-clockwise, with corners (0, 0), (`x1`, 0) and (`x2`, `y2`);
+/// `x1` and `y2` are positive
+struct Flat_triangle
+{
+  double x1, x2, y2;
+
+  double area() const { return x1 * y2 / 2; }
+};
+
+/// a topological disk as flat arrays: the form in which everything below the plug-ins sees a mesh.
+///
+/// Lengths are scaled so that the area of the patch is 1, the area of the square it will be mapped to.
+struct Patch
+{
+  std::vector<Eigen::Vector3d> points;            ///< #V
+  std::vector<std::array<int, 3>> triangles;      ///< #F, vertices counter-clockwise
+  std::vector<Flat_triangle> shapes;              ///< #F
+  std::vector<int> border;                        ///< #B vertices, counter-clockwise in uv
+  std::vector<double> border_lengths;             ///< #B, edge k joins border[k] and border[k + 1]
+  std::vector<std::array<int, 2>> edges;          ///< #E, first index lower, sorted
+  std::vector<std::array<int, 3>> triangle_edges; ///< #F, edge k is opposite to corner k
+  std::vector<std::array<int, 2>> chords;         ///< interior edges between two border vertices
+  std::vector<double> vertex_areas;               ///< #V, area of the incident triangles
+
+  int number_of_vertices() const { return static_cast<int>(points.size()); }
+  int number_of_faces() const { return static_cast<int>(triangles.size()); }
+};
+
+/// multiplies the points by a power of two so that the largest coordinate is near 1: exact, and no square overflows.
+/// The points are moved to their centre first, so that a far origin costs no digits afterwards.
+/// Returns the length, after scaling, below which the coordinates carry no information.
+inline double normalise_coordinates(std::vector<Eigen::Vector3d> &points)
+{
+  Eigen::AlignedBox3d box;
+  for(std::size_t v = 0; v < points.size(); ++v) {
+    if(!points[v].allFinite())
+      throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                       "vertex " + std::to_string(v) + " has a coordinate that is not finite");
+    box.extend(points[v]);
+  }
+  const Eigen::Vector3d center = box.min() / 2 + box.max() / 2;
+  const double largest = (std::max)(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double radius = (box.max() - center).cwiseAbs().maxCoeff();
+  if(!(radius > 0))
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                     "the surface has no extent: all its vertices coincide");
+  const int exponent = -std::ilogb(radius);
+  for(Eigen::Vector3d &p : points)
+    p = (p - center).unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+  return 2 * std::numeric_limits<double>::epsilon() * std::ldexp(largest, exponent);
+}
+
+/// lays triangle `pqr` into the plane; a height or a base that is lost in the rounding of the coordinates gives an
+/// `y2` of zero
+inline Flat_triangle flatten(const Eigen::Vector3d &p, const Eigen::Vector3d &q, const Eigen::Vector3d &r,
+                             double least_length)
+{
+  const Eigen::Vector3d a = q - p, b = r - p;
+  const double x1 = a.norm();
+  if(!(x1 > least_length))
+    return {x1, 0, 0};
+  const Eigen::Vector3d axis = a / x1;
+  // the height is taken over the longest side: over a short side rounding would look like a height
+  const double twice_area = a.cross(b).norm();
+  const double longest = (std::max)({x1, b.norm(), (r - q).norm()});
+  if(!(twice_area > least_length * longest))
+    return {x1, axis.dot(b), 0};
+  return {x1, axis.dot(b), twice_area / x1};
+}
+
+/// fills `edges`, `triangle_edges` and `chords` of a patch whose triangles and border are set
+inline void number_edges(Patch &patch)
+{
+  struct Side
+  {
+    int low, high, triangle, corner;
+  };
+  std::vector<int> first(patch.points.size() + 1, 0);
+  for(const auto &t : patch.triangles)
+    for(int k = 0; k < 3; ++k)
+      ++first[(std::min)(t[(k + 1) % 3], t[(k + 2) % 3]) + 1];
+  for(std::size_t v = 1; v < first.size(); ++v)
+    first[v] += first[v - 1];
+  // bucket the sides by their lower vertex, then sort the small buckets
+  std::vector<Side> sides(3 * patch.triangles.size());
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for(int f = 0; f < patch.number_of_faces(); ++f) {
+    const auto &t = patch.triangles[f];
+    for(int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[(k + 1) % 3], t[(k + 2) % 3]);
+      sides[next[low]++] = {low, high, f, k};
+    }
+  }
+  std::vector<bool> on_border(patch.points.size(), false);
+  for(int v : patch.border)
+    on_border[v] = true;
+
+  patch.edges.clear();
+  patch.chords.clear();
+  patch.triangle_edges.resize(patch.triangles.size());
+  for(std::size_t v = 0; v + 1 < first.size(); ++v) {
+    const auto begin = sides.begin() + first[v], end = sides.begin() + first[v + 1];
+    std::sort(begin, end, [](const Side &a, const Side &b) {
+      return std::make_pair(a.high, a.triangle) < std::make_pair(b.high, b.triangle);
+    });
+    for(auto side = begin; side != end; ++side) {
+      const bool second_side = side != begin && (side - 1)->high == side->high;
+      if(!second_side)
+        patch.edges.push_back({side->low, side->high});
+      else if(on_border[side->low] && on_border[side->high])
+        patch.chords.push_back({side->low, side->high});
+      patch.triangle_edges[side->triangle][side->corner] = static_cast<int>(patch.edges.size()) - 1;
+    }
+  }
+}
+
+/// makes a patch of a disk: \p points #V, \p triangles #F, consistently oriented, \p border its vertices
+/// counter-clockwise. Every vertex must belong to a triangle.
+///
+/// Throws `Unmappable` when the border has fewer than four vertices, or a coordinate is not finite, or a triangle or a
+/// border edge is so small that its size is lost in the rounding of the coordinates.
+/// Complexity: linear but for the sorting of the edges at a vertex.
+inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
+                        std::vector<int> border)
+{
+  namespace SMP = CGAL::Surface_mesh_parameterization;
+  if(triangles.empty())
+    throw Unmappable(SMP::ERROR_EMPTY_MESH, "the surface has no faces");
+  if(border.size() < 4)
+    throw Unmappable(SMP::ERROR_BORDER_TOO_SHORT,
+                     "the border has " + std::to_string(border.size()) + " vertices; a square needs at least four");
+  Patch patch;
+  patch.points = std::move(points);
+  patch.triangles = std::move(triangles);
+  patch.border = std::move(border);
+  const double least_length = normalise_coordinates(patch.points);
+
+  for(std::size_t k = 0; k < patch.border.size(); ++k) {
+    const int from = patch.border[k], to = patch.border[(k + 1) % patch.border.size()];
+    patch.border_lengths.push_back((patch.points[to] - patch.points[from]).norm());
+    if(!(patch.border_lengths.back() > least_length))
+      throw Unmappable(SMP::ERROR_BORDER_TOO_SHORT, "the border edge from vertex " + std::to_string(from) +
+                                                        " to vertex " + std::to_string(to) + " has no length");
+  }
+  patch.shapes.reserve(patch.triangles.size());
+  double area = 0;
+  std::size_t flat_faces = 0, first_flat_face = 0;
+  for(std::size_t f = 0; f < patch.triangles.size(); ++f) {
+    const auto &[a, b, c] = patch.triangles[f];
+    patch.shapes.push_back(flatten(patch.points[a], patch.points[b], patch.points[c], least_length));
+    area += patch.shapes.back().area();
+    if(patch.shapes.back().y2 == 0 && flat_faces++ == 0)
+      first_flat_face = f;
+  }
+  if(flat_faces > 0)
+    throw Unmappable(SMP::ERROR_NO_1_TO_1_MAPPING, std::to_string(flat_faces) +
+                                                       " faces have no area; the first is face " +
+                                                       std::to_string(first_flat_face));
+
+  const double scale = 1 / std::sqrt(area);
+  for(Eigen::Vector3d &p : patch.points)
+    p *= scale;
+  patch.vertex_areas.assign(patch.points.size(), 0.);
+  for(std::size_t f = 0; f < patch.triangles.size(); ++f) {
+    Flat_triangle &shape = patch.shapes[f];
+    shape = {shape.x1 * scale, shape.x2 * scale, shape.y2 * scale};
+    for(int v : patch.triangles[f])
+      patch.vertex_areas[v] += shape.area();
+  }
+  for(double &length : patch.border_lengths)
+    length *= scale;
+  number_edges(patch);
+  return patch;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_H

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_STRETCH_ITERATION_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_STRETCH_ITERATION_H
+
+#include <CGAL_ext/Square_parameterization/Minimization_report.h>
+#include <CGAL_ext/Square_parameterization/internal/Convex_combination_system.h>
+#include <CGAL_ext/Square_parameterization/internal/stretch_kernel.h>
+
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the numbers of the iteration; see `Stretch_minimizing_parameterizer_3` for their meaning and defaults
+struct Stretch_iteration_options
+{
+  double eta = 0.3;
+  unsigned int patience = 1;
+  unsigned int maximum_iterations = 100;
+};
+
+/// a map of a patch and how it was reached
+struct Minimized_map
+{
+  Uv_coordinates uv; ///< #V by 2; empty when no one-to-one map was found
+  Minimization_report report;
+};
+
+/// the stretch-minimizing parameterization of Yoshizawa, Belyaev and Seidel 2004 for any number of borders of one patch.
+///
+/// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The first
+/// system does not depend on the border, and is factored once, at construction.
+class Stretch_iteration
+{
+public:
+  /// the memory of one thread
+  class Workspace
+  {
+    friend class Stretch_iteration;
+    Convex_combination_system::Equations equations;
+    Right_hand_sides solution;
+    std::unique_ptr<Linear_solver> solver;
+    std::vector<double> factors, sigma;
+    Uv_coordinates uv;
+  };
+
+  Stretch_iteration(const Patch &patch, Edge_weights weights, Linear_solver_factory make_solver,
+                    const Stretch_iteration_options &options)
+    : m_patch(patch),
+      m_system(patch, std::move(weights)),
+      m_make_solver(std::move(make_solver)),
+      m_options(options),
+      m_first_solver(m_make_solver(m_system.is_symmetric()))
+  {
+    Convex_combination_system::Equations equations;
+    const Uv_coordinates any_border = Uv_coordinates::Zero(patch.border.size(), 2);
+    m_system.assemble(std::vector<double>(patch.points.size(), 1.), any_border, equations);
+    m_is_first_system_solvable = m_first_solver->factorize(equations.matrix);
+  }
+
+  /// maps the interior for the border \p border_uv (#B by 2, convex, counter-clockwise).
+  ///
+  /// Solves with the base weights; then divides the weight of neighbor j by sigma_j^eta, sigma from the current map,
+  /// and solves again. Keeps the iterate of least stretch; stops after `patience` + 1 iterates in a row that are not
+  /// lower than it (Yoshizawa et al. stop at the first).
+  /// \param uv_area area inside the border: the stretch is normalised by it
+  Minimized_map minimize(const Uv_coordinates &border_uv, double uv_area, Workspace &workspace) const
+  {
+    Minimized_map best;
+    Minimization_report &report = best.report;
+    if(!m_is_first_system_solvable) {
+      report.stop_reason = Stop_reason::CANNOT_SOLVE;
+      return best;
+    }
+    workspace.factors.assign(m_patch.points.size(), 1.);
+    m_system.assemble(workspace.factors, border_uv, workspace.equations);
+    bool is_solved = m_first_solver->solve(workspace.equations.right_hand_sides, workspace.solution);
+    unsigned int failures = 0;
+    while(true) {
+      if(!is_solved) {
+        report.stop_reason = Stop_reason::CANNOT_SOLVE;
+        return best;
+      }
+      m_system.compose(workspace.solution, border_uv, workspace.uv);
+      const double l2 = std::sqrt(stretch_energy(m_patch, workspace.uv, workspace.sigma) * uv_area);
+      report.l2_history.push_back(l2);
+      if(l2 < report.l2) {
+        report.l2 = l2;
+        report.best_iteration = report.iterations;
+        best.uv = workspace.uv;
+        failures = 0;
+      } else
+        ++failures;
+      if(!(l2 < std::numeric_limits<double>::infinity()) || failures > m_options.patience) {
+        report.stop_reason = Stop_reason::STRETCH_GROWS;
+        return best;
+      }
+      if(report.iterations == m_options.maximum_iterations) {
+        report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
+        return best;
+      }
+      is_solved = solve_with_stretch_weights(border_uv, workspace);
+      ++report.iterations;
+    }
+  }
+
+private:
+  bool solve_with_stretch_weights(const Uv_coordinates &border_uv, Workspace &workspace) const
+  {
+    for(std::size_t v = 0; v < workspace.factors.size(); ++v)
+      workspace.factors[v] /= std::pow(workspace.sigma[v], m_options.eta);
+    m_system.assemble(workspace.factors, border_uv, workspace.equations);
+    if(!workspace.solver)
+      workspace.solver = m_make_solver(m_system.is_symmetric());
+    return workspace.solver->factorize(workspace.equations.matrix) &&
+           workspace.solver->solve(workspace.equations.right_hand_sides, workspace.solution);
+  }
+
+  const Patch &m_patch;
+  Convex_combination_system m_system;
+  Linear_solver_factory m_make_solver;
+  Stretch_iteration_options m_options;
+  std::unique_ptr<Linear_solver> m_first_solver;
+  bool m_is_first_system_solvable = false;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_STRETCH_ITERATION_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SQUARE_SEARCH_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SQUARE_SEARCH_H
+
+#include <CGAL_ext/Square_parameterization/Square_search_options.h>
+#include <CGAL_ext/Square_parameterization/corner_searches.h>
+#include <CGAL_ext/Square_parameterization/internal/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
+
+#include <memory>
+#include <utility>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the delivered map and the search that found it
+struct Search_outcome
+{
+  Minimized_map map;
+  Search_report report;
+};
+
+/// indicates whether an interior edge has both ends on one side of the square: its triangles would have no area
+inline bool has_chord_on_a_side(const Patch &patch, const Uv_coordinates &border_uv)
+{
+  if(patch.chords.empty())
+    return false;
+  std::vector<int> position(patch.points.size(), -1);
+  for(std::size_t k = 0; k < patch.border.size(); ++k)
+    position[patch.border[k]] = static_cast<int>(k);
+  for(const auto &[a, b] : patch.chords)
+    for(int axis = 0; axis < 2; ++axis) {
+      const double x = border_uv(position[a], axis);
+      if(x == border_uv(position[b], axis) && (x == 0 || x == 1))
+        return true;
+    }
+  return false;
+}
+
+/// maps the patch for one border on the square. The result has no uv, and infinite stretch, unless the map is
+/// one-to-one by exact arithmetic.
+inline Minimized_map map_onto_square(const Patch &patch, const Stretch_iteration &iteration,
+                                     const Uv_coordinates &border_uv, Stretch_iteration::Workspace &workspace)
+{
+  if(has_chord_on_a_side(patch, border_uv))
+    return {};
+  Minimized_map map = iteration.minimize(border_uv, 1, workspace);
+  if(map.uv.rows() > 0 && number_of_flipped_faces(patch.triangles, map.uv) > 0) {
+    map.uv.resize(0, 2);
+    map.report.l2 = std::numeric_limits<double>::infinity();
+  }
+  return map;
+}
+
+/// searches the corners of the square among the candidates of \p search and maps the patch for the best of them
+inline Search_outcome search_square_map(const Patch &patch, const Stretch_iteration &iteration,
+                                        const Corner_search &search, const Square_search_options &options)
+{
+  const Border_walk walk(patch.border_lengths, options.walk);
+  const int candidates =
+      search.candidate_set() == Candidate_set::FULL ? walk.size() : number_of_quarter_candidates(walk);
+
+  const auto make_worker = [&]() -> Candidate_evaluation::Worker {
+    return [&, workspace = std::make_shared<Stretch_iteration::Workspace>()](int candidate) {
+      const Corners corners = corners_of_candidate(walk, candidate, options.corner_rule);
+      return map_onto_square(patch, iteration, square_border(walk, corners).uv, *workspace);
+    };
+  };
+  Candidate_evaluation evaluation(candidates, make_worker, options.number_of_threads, options.visitor,
+                                  options.callback);
+  if(options.visitor != nullptr)
+    options.visitor->start_search(candidates);
+  try {
+    search({candidates, [&](const std::vector<int> &batch) { return evaluation(batch); }});
+  } catch(const Search_cancelled &) {
+    // the best so far is delivered, and the report says so
+  }
+  Search_outcome outcome{evaluation.best_map(), evaluation.report()};
+  if(outcome.report.best_candidate >= 0)
+    outcome.report.corners =
+        square_border(walk, corners_of_candidate(walk, outcome.report.best_candidate, options.corner_rule)).corners;
+  if(options.visitor != nullptr) {
+    options.visitor->end_search(outcome.report);
+    options.visitor->end_minimization(outcome.map.report);
+  }
+  return outcome;
+}
+
+/// maps the patch for four corners chosen by the user: positions in the border loop, counter-clockwise
+inline Search_outcome map_with_corners(const Patch &patch, const Stretch_iteration &iteration, const Corners &corners)
+{
+  if(!are_corners_in_order(corners, static_cast<int>(patch.border.size())))
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                     "the four corners are not distinct border vertices in counter-clockwise order");
+  Stretch_iteration::Workspace workspace;
+  const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
+  Search_outcome outcome{map_onto_square(patch, iteration, border.uv, workspace), {}};
+  outcome.report.candidates = 1;
+  outcome.report.evaluations = 1;
+  outcome.report.best_stretch = outcome.map.report.l2;
+  outcome.report.best_candidate = outcome.map.uv.rows() > 0 ? corners[0] : -1;
+  outcome.report.corners = border.corners;
+  outcome.report.curve = {{corners[0], outcome.map.report.l2}};
+  return outcome;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SQUARE_SEARCH_H

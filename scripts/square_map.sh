@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the release preset and runs square_map with the given arguments.
+# Without arguments it maps a real mesh, the bust of Nefertiti.
+set -euo pipefail
+caller_folder=$PWD
+extra_packages=()
+. "$(dirname "${BASH_SOURCE[0]}")/set_up.sh"
+
+{
+  cmake --preset release -DCGAL_EXT_BUILD_TESTS=OFF -DCGAL_EXT_BUILD_BENCHMARKS=OFF
+  cmake --build --preset release --target square_map
+} > build.log 2>&1 || { cat build.log >&2; exit 1; }
+rm -f build.log
+
+square_map=$PWD/build/bin/square_map
+default_mesh=$PWD/build/data/meshes/nefertiti.off
+cd "$caller_folder"
+if [ $# -eq 0 ]; then
+  exec "$square_map" "$default_mesh" -o nefertiti.obj
+fi
+exec "$square_map" "$@"

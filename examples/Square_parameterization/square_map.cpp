@@ -31,14 +31,14 @@ class Progress : public CGAL_ext::Search_visitor
 public:
   void start_search(std::size_t candidates) override { m_candidates = candidates; }
 
-  void after_evaluation(const CGAL_ext::Search_report::Sample &sample) override
+  void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
   {
     m_best = (std::min)(m_best, sample.stretch);
     std::cerr << "\r" << ++m_evaluations << " of at most " << m_candidates << " candidates, least stretch " << m_best
               << "   " << std::flush;
   }
 
-  void end_search(const CGAL_ext::Search_report &) override { std::cerr << '\n'; }
+  void end_search(const CGAL_ext::Search_report&) override { std::cerr << '\n'; }
 
 private:
   std::size_t m_candidates = 0, m_evaluations = 0;
@@ -46,8 +46,8 @@ private:
 };
 
 /// the corners as vertices of the conditioned mesh
-std::array<std::size_t, 4> conditioned_corners(const std::array<std::size_t, 4> &corners,
-                                               const CGAL_ext::internal::Conditioning_report &conditioning)
+std::array<std::size_t, 4> conditioned_corners(const std::array<std::size_t, 4>& corners,
+                                               const CGAL_ext::internal::Conditioning_report& conditioning)
 {
   std::array<std::size_t, 4> result{};
   for(int k = 0; k < 4; ++k) {
@@ -112,11 +112,11 @@ Exit_status run(Command_line line)
   seconds.total = seconds_since(start);
   if(!line.json.empty()) {
     const auto json = make_report(line, input_vertices, input_faces, conditioning, mesh, result, seconds);
-    (report ? static_cast<std::ostream &>(report->stream()) : std::cout) << json.dump(2) << '\n';
+    (report ? static_cast<std::ostream&>(report->stream()) : std::cout) << json.dump(2) << '\n';
   }
   if(report)
     report->close();
-  for(const auto &file : {output.get(), report.get()})
+  for(const auto& file : {output.get(), report.get()})
     if(file != nullptr)
       file->commit();
   if(!line.is_quiet) {
@@ -134,9 +134,9 @@ Exit_status run(Command_line line)
 
 } // namespace
 
-int main(int argc, char **argv)
+int main(int argc, char** argv)
 {
-  const auto fail = [](const std::exception &error, Exit_status status) {
+  const auto fail = [](const std::exception& error, Exit_status status) {
     std::cerr << "square_map: " << error.what() << '\n';
     return status;
   };
@@ -147,15 +147,15 @@ int main(int argc, char **argv)
       return DONE;
     }
     return run(line);
-  } catch(const Usage_error &error) {
+  } catch(const Usage_error& error) {
     return fail(error, BAD_COMMAND_LINE);
-  } catch(const Output_error &error) {
+  } catch(const Output_error& error) {
     return fail(error, BAD_COMMAND_LINE);
-  } catch(const Malformed_file &error) {
+  } catch(const Malformed_file& error) {
     return fail(error, BAD_FILE);
-  } catch(const CGAL_ext::internal::Unmappable &error) {
+  } catch(const CGAL_ext::internal::Unmappable& error) {
     return fail(error, UNMAPPABLE);
-  } catch(const std::bad_alloc &error) {
+  } catch(const std::bad_alloc& error) {
     return fail(std::runtime_error("there is not enough memory for this surface"), UNMAPPABLE);
   }
 }

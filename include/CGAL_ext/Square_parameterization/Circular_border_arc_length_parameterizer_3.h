@@ -37,7 +37,7 @@ public:
   /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices or with an edge of no length, or
   ///         `ERROR_WRONG_PARAMETER` for a radius that is not positive
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh &mesh, halfedge_descriptor bhd,
+  CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                                                                VertexUVMap uvmap, VertexIndexMap /* vimap */,
                                                                VertexParameterizedMap vpmap) const
   {

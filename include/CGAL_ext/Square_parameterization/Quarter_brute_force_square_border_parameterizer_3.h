@@ -4,33 +4,25 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_QUARTER_BRUTE_FORCE_SQUARE_BORDER_PARAMETERIZER_3_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_QUARTER_BRUTE_FORCE_SQUARE_BORDER_PARAMETERIZER_3_H
 
+#include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/internal/Square_border_search_parameterizer_3.h>
 
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationBorderParameterizers
 ///
-/// parameterizes the border of a disk onto the unit square by arc length, with the corners at which the stretch of the map
-/// is least. The search maps the border vertices of the first quarter of the border. It finds the optimum of these, with about
-/// a quarter of the evaluations of `Brute_force_square_border_parameterizer_3`.
+/// parameterizes the border of a disk onto the unit square by arc length, with corners found by mapping all border vertices of the
+/// first quarter of the border to (0, 0): the optimum of these, with about a quarter of the evaluations of
+/// `Brute_force_square_border_parameterizer_3`.
 ///
-/// Candidates are counted from the source of the border halfedge given to `parameterize()`; they are mapped
-/// concurrently, and the result does not depend on the number of threads. The mesh is not changed: a candidate that puts
-/// both ends of an interior edge on one side of the square has infinite stretch (see `split_chords()`).
-///
-/// `parameterize()` returns
-/// - `OK`,
-/// - `ERROR_NO_1_TO_1_MAPPING` when no candidate has a one-to-one map, or a face has no area,
-/// - `ERROR_BORDER_TOO_SHORT` when the border has fewer than four vertices, or an edge of no length,
-/// - `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_TOPOLOGICAL_DISC` when the connected component at the border halfedge is
-///   not a triangulated disk,
-/// - `ERROR_WRONG_PARAMETER` when a coordinate is not finite or a number of the objective is out of range.
+/// What the border parameterizers that search have in common, and what `parameterize()` returns, is said at
+/// `Brute_force_square_border_parameterizer_3`.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
 ///
-/// \sa `CGAL_ext::Stretch_minimizing_parameterizer_3`
+/// \sa `CGAL_ext::Quarter_brute_force_corner_search`
 template <class TriangleMesh_>
 class Quarter_brute_force_square_border_parameterizer_3
   : public internal::Square_border_search_parameterizer_3<TriangleMesh_, Quarter_brute_force_corner_search>
@@ -44,7 +36,7 @@ public:
   ///        border
   explicit Quarter_brute_force_square_border_parameterizer_3(Square_search_options options = {},
                                                              Stretch_minimization objective = {})
-    : Base({}, std::move(options), std::move(objective))
+    : Base(Quarter_brute_force_corner_search(), std::move(options), std::move(objective))
   {}
 };
 

@@ -25,13 +25,13 @@ public:
   virtual void start_search(std::size_t /* candidates */) {}
 
   /// called after each evaluation, in the order in which they finish, which differs from run to run with several threads
-  virtual void after_evaluation(const Search_report::Sample & /* sample */) {}
+  virtual void after_evaluation(const Search_report::Sample& /* sample */) {}
 
   /// called once, after the last evaluation
-  virtual void end_search(const Search_report & /* report */) {}
+  virtual void end_search(const Search_report& /* report */) {}
 
   /// called once, with the minimization that made the delivered map
-  virtual void end_minimization(const Minimization_report & /* report */) {}
+  virtual void end_minimization(const Minimization_report& /* report */) {}
 };
 
 } // namespace CGAL_ext

@@ -55,7 +55,7 @@ public:
   /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than four vertices or with an edge of no length, or
   ///         `ERROR_WRONG_PARAMETER`
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh &mesh, halfedge_descriptor bhd,
+  CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                                                                VertexUVMap uvmap, VertexIndexMap /* vimap */,
                                                                VertexParameterizedMap vpmap) const
   {

@@ -18,7 +18,7 @@ namespace CGAL_ext {
 struct Stretch_minimization
 {
   /// the weights of the first system: any model of `BaseWeights`
-  std::function<internal::Edge_weights(const internal::Patch &)> weights = Blended_weights();
+  std::function<internal::Edge_weights(const internal::Patch&)> weights = Blended_weights();
 
   /// exponent of the stretch by which weights are divided; dimensionless, in ]0, 1]; 1 is the paper's. The smaller, the
   /// more iterations and, by 0 to 1 %, the lower the stretch.
@@ -35,8 +35,8 @@ struct Stretch_minimization
 
   /// \cond SKIP_IN_MANUAL
   internal::Stretch_iteration
-  make_iteration(const internal::Patch &patch,
-                 const internal::Linear_solver_factory &make_solver = internal::make_direct_solver) const
+  make_iteration(const internal::Patch& patch,
+                 const internal::Linear_solver_factory& make_solver = internal::make_direct_solver) const
   {
     return {patch, weights(patch), make_solver, {eta, patience, maximum_iterations}};
   }

@@ -78,7 +78,7 @@ public:
   explicit Stretch_minimizing_parameterizer_3(Border_parameterizer border = Border_parameterizer(),
                                               Base_weights weights = Base_weights(), double eta = 0.3,
                                               unsigned int patience = 1, unsigned int maximum_iterations = 100,
-                                              Search_visitor *visitor = nullptr)
+                                              Search_visitor* visitor = nullptr)
     : m_border(std::move(border)),
       m_minimization{std::move(weights), eta, patience, maximum_iterations},
       m_visitor(visitor)
@@ -93,7 +93,7 @@ public:
   /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with `vertex_descriptor` as key type and a
   ///         Boolean as value type.
   template <class VertexUVmap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code parameterize(Triangle_mesh &mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap,
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap)
   {
     namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -102,7 +102,7 @@ public:
     if(!m_border.is_border_convex())
       return SMP::ERROR_NON_CONVEX_BORDER;
     try {
-      const Triangle_mesh &const_mesh = mesh;
+      const Triangle_mesh& const_mesh = mesh;
       const auto [patch, vertices] =
           internal::make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
       const internal::Stretch_iteration iteration = m_minimization.make_iteration(patch, &make_solver);
@@ -116,7 +116,7 @@ public:
         const std::vector<vertex_descriptor> border = internal::select(vertices, patch.border);
         return deliver(map_for_border(patch, iteration, internal::read_uv(border, uvmap)), vertices, uvmap, vpmap);
       }
-    } catch(const internal::Unmappable &error) {
+    } catch(const internal::Unmappable& error) {
       return error.code();
     }
   }
@@ -129,15 +129,15 @@ private:
 
   template <class Border>
   struct searches_corners<
-      Border, std::void_t<decltype(std::declval<const Border &>().search(
-                  std::declval<const internal::Patch &>(), std::declval<const internal::Stretch_iteration &>()))>>
+      Border, std::void_t<decltype(std::declval<const Border&>().search(
+                  std::declval<const internal::Patch&>(), std::declval<const internal::Stretch_iteration&>()))>>
     : std::true_type
   {
   };
 
   /// maps the interior for a given border; for a clockwise border through its mirror image
-  static internal::Minimized_map map_for_border(const internal::Patch &patch,
-                                                const internal::Stretch_iteration &iteration,
+  static internal::Minimized_map map_for_border(const internal::Patch& patch,
+                                                const internal::Stretch_iteration& iteration,
                                                 internal::Uv_coordinates border_uv)
   {
     double twice_area = 0;
@@ -158,7 +158,7 @@ private:
   }
 
   template <class VertexUVmap, class VertexParameterizedMap>
-  Error_code deliver(const internal::Minimized_map &map, const std::vector<vertex_descriptor> &vertices,
+  Error_code deliver(const internal::Minimized_map& map, const std::vector<vertex_descriptor>& vertices,
                      VertexUVmap uvmap, VertexParameterizedMap vpmap) const
   {
     namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -181,7 +181,7 @@ private:
 
   Border_parameterizer m_border;
   Stretch_minimization m_minimization;
-  Search_visitor *m_visitor;
+  Search_visitor* m_visitor;
 };
 
 } // namespace CGAL_ext

@@ -14,7 +14,7 @@ namespace CGAL_ext {
 /// \cgalModels `BaseWeights`
 struct Uniform_weights
 {
-  internal::Edge_weights operator()(const internal::Patch &patch) const
+  internal::Edge_weights operator()(const internal::Patch& patch) const
   {
     return internal::Edge_weights(patch, 1, true);
   }
@@ -31,10 +31,10 @@ public:
   /// \param least_weight positive, dimensionless (an equilateral mesh has weights 0.577)
   explicit Clamped_cotangent_weights(double least_weight = 0.01) : m_least_weight(least_weight) {}
 
-  internal::Edge_weights operator()(const internal::Patch &patch) const
+  internal::Edge_weights operator()(const internal::Patch& patch) const
   {
     internal::Edge_weights weights = internal::cotangent_weights(patch);
-    for(auto &pair : weights.values)
+    for(auto& pair : weights.values)
       pair = {(std::max)(pair[0], m_least_weight), (std::max)(pair[1], m_least_weight)};
     return weights;
   }
@@ -56,7 +56,7 @@ public:
   /// \param mean_value_share share of the mean value coordinates, in ]0, 1], dimensionless
   explicit Blended_weights(double mean_value_share = 0.2) : m_mean_value_share(mean_value_share) {}
 
-  internal::Edge_weights operator()(const internal::Patch &patch) const
+  internal::Edge_weights operator()(const internal::Patch& patch) const
   {
     internal::Edge_weights weights = internal::cotangent_weights(patch);
     const internal::Edge_weights mean_value = internal::mean_value_weights(patch);
@@ -92,7 +92,7 @@ private:
 /// \cgalModels `BaseWeights`
 struct Harmonic_weights
 {
-  internal::Edge_weights operator()(const internal::Patch &patch) const { return internal::cotangent_weights(patch); }
+  internal::Edge_weights operator()(const internal::Patch& patch) const { return internal::cotangent_weights(patch); }
 };
 
 /// \ingroup PkgSquareParameterizationWeights
@@ -101,7 +101,7 @@ struct Harmonic_weights
 /// \cgalModels `BaseWeights`
 struct Mean_value_weights
 {
-  internal::Edge_weights operator()(const internal::Patch &patch) const { return internal::mean_value_weights(patch); }
+  internal::Edge_weights operator()(const internal::Patch& patch) const { return internal::mean_value_weights(patch); }
 };
 
 /// \ingroup PkgSquareParameterizationWeights
@@ -111,10 +111,10 @@ struct Mean_value_weights
 /// \cgalModels `BaseWeights`
 struct Symmetric_mean_value_weights
 {
-  internal::Edge_weights operator()(const internal::Patch &patch) const
+  internal::Edge_weights operator()(const internal::Patch& patch) const
   {
     internal::Edge_weights weights = internal::mean_value_weights(patch);
-    for(auto &pair : weights.values)
+    for(auto& pair : weights.values)
       pair[0] = pair[1] = (pair[0] + pair[1]) / 2;
     weights.is_symmetric = true;
     return weights;
@@ -138,7 +138,7 @@ public:
 
   explicit Shape_preserving_weights(Average average = Average::INVERSE_DISTANCE) : m_average(average) {}
 
-  internal::Edge_weights operator()(const internal::Patch &patch) const
+  internal::Edge_weights operator()(const internal::Patch& patch) const
   {
     return internal::shape_preserving_weights(patch, m_average == Average::PLAIN ? 0 : 2);
   }

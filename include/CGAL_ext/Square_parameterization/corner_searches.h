@@ -4,33 +4,13 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CORNER_SEARCHES_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CORNER_SEARCHES_H
 
+#include <CGAL_ext/Square_parameterization/Corner_search_problem.h>
+
 #include <functional>
 #include <numeric>
 #include <vector>
 
 namespace CGAL_ext {
-
-/// \ingroup PkgSquareParameterizationSearches
-///
-/// the only view that a search strategy has of its problem: the number of candidates, and their stretch on demand
-struct Corner_search_problem
-{
-  int number_of_candidates = 0; ///< candidates are 0, 1, ...; they form a ring
-
-  /// maps the given candidates, concurrently, and returns their stretch in the same order; infinite for a candidate
-  /// without a one-to-one map. A candidate asked for twice is mapped once.
-  std::function<std::vector<double>(const std::vector<int> &)> stretch_of;
-};
-
-/// \ingroup PkgSquareParameterizationSearches
-///
-/// which candidates a strategy chooses from
-enum class Candidate_set
-{
-  FULL,   ///< every border vertex
-  QUARTER ///< the border vertices nearer than a quarter of the border length to its start: rotating the square by a
-          ///< right angle makes the others nearly equivalent
-};
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
@@ -40,7 +20,7 @@ struct Brute_force_corner_search
 {
   Candidate_set candidate_set() const { return Candidate_set::FULL; }
 
-  void operator()(const Corner_search_problem &problem) const
+  void operator()(const Corner_search_problem& problem) const
   {
     std::vector<int> all(problem.number_of_candidates);
     std::iota(all.begin(), all.end(), 0);
@@ -66,7 +46,7 @@ struct First_candidate_corner_search
 {
   Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
 
-  void operator()(const Corner_search_problem &problem) const { problem.stretch_of({0}); }
+  void operator()(const Corner_search_problem& problem) const { problem.stretch_of({0}); }
 };
 
 /// \ingroup PkgSquareParameterizationSearches
@@ -76,16 +56,16 @@ class Corner_search
 {
 public:
   template <class Search>
-  Corner_search(const Search &search) : m_candidate_set(search.candidate_set()), m_search(search)
+  Corner_search(const Search& search) : m_candidate_set(search.candidate_set()), m_search(search)
   {}
 
   Candidate_set candidate_set() const { return m_candidate_set; }
 
-  void operator()(const Corner_search_problem &problem) const { m_search(problem); }
+  void operator()(const Corner_search_problem& problem) const { m_search(problem); }
 
 private:
   Candidate_set m_candidate_set;
-  std::function<void(const Corner_search_problem &)> m_search;
+  std::function<void(const Corner_search_problem&)> m_search;
 };
 
 } // namespace CGAL_ext

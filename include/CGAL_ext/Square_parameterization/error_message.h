@@ -12,7 +12,7 @@ namespace CGAL_ext {
 ///
 /// returns one sentence that says what an error code means. Never null. (The function of the same purpose in CGAL is off
 /// by one from `ERROR_NO_TOPOLOGICAL_BALL` on.)
-inline const char *error_message(CGAL::Surface_mesh_parameterization::Error_code code)
+inline const char* error_message(CGAL::Surface_mesh_parameterization::Error_code code)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   switch(code) { // no default: a compiler warns when CGAL adds a code

@@ -34,8 +34,8 @@ struct Stretch_measures
 namespace internal {
 
 /// measures a map given as flat arrays, in any unit of length
-inline Stretch_measures measure(const std::vector<Flat_triangle> &shapes,
-                                const std::vector<std::array<int, 3>> &triangles, const Uv_coordinates &uv)
+inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
+                                const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
 {
   Stretch_measures result;
   result.flipped_faces = number_of_flipped_faces(triangles, uv);
@@ -57,7 +57,7 @@ inline Stretch_measures measure(const std::vector<Flat_triangle> &shapes,
   const double scale = std::sqrt(result.uv_area / surface_area);
   result.l2 = std::sqrt(energy / surface_area) * scale;
   result.linf *= scale;
-  for(double &l2 : result.face_l2)
+  for(double& l2 : result.face_l2)
     l2 *= scale;
   result.symmetric_dirichlet = (energy * scale * scale + inverse_energy / (scale * scale)) / (2 * surface_area);
   if(result.flipped_faces > 0 || !(energy < std::numeric_limits<double>::infinity()))
@@ -83,7 +83,7 @@ inline Stretch_measures measure(const std::vector<Flat_triangle> &shapes,
 /// \pre all faces are triangles
 /// Complexity: linear. Coordinates are read as `double`.
 template <class TriangleMesh, class VertexUVMap, class VertexPointMap, class VertexStretchMap>
-Stretch_measures measure_stretch(const TriangleMesh &mesh, VertexUVMap uvmap, VertexPointMap vpm,
+Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap, VertexPointMap vpm,
                                  VertexStretchMap vertex_stretch)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
@@ -120,7 +120,7 @@ Stretch_measures measure_stretch(const TriangleMesh &mesh, VertexUVMap uvmap, Ve
 ///
 /// as above, with the internal vertex point map of \p mesh and without the stretch of vertices
 template <class TriangleMesh, class VertexUVMap>
-Stretch_measures measure_stretch(const TriangleMesh &mesh, VertexUVMap uvmap)
+Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap)
 {
   return measure_stretch(mesh, uvmap, get(CGAL::vertex_point, mesh), nullptr);
 }

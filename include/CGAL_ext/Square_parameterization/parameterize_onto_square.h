@@ -70,7 +70,7 @@ enum options_t
 
 /// the border halfedge whose source comes first among the border vertices, in the order of the mesh
 template <class TriangleMesh>
-typename boost::graph_traits<TriangleMesh>::halfedge_descriptor first_border_halfedge(const TriangleMesh &mesh)
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor first_border_halfedge(const TriangleMesh& mesh)
 {
   for(auto v : vertices(mesh))
     for(auto h : CGAL::halfedges_around_source(v, mesh))
@@ -81,7 +81,7 @@ typename boost::graph_traits<TriangleMesh>::halfedge_descriptor first_border_hal
 
 /// refuses what the splitting of chords cannot take, and options that are out of range
 template <class TriangleMesh>
-void check_input(const TriangleMesh &mesh, const Square_map_options &options)
+void check_input(const TriangleMesh& mesh, const Square_map_options& options)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(!options.minimization.is_valid())
@@ -95,7 +95,7 @@ void check_input(const TriangleMesh &mesh, const Square_map_options &options)
 }
 
 /// positions in the border loop of four vertices of the patch
-inline Corners border_positions(const Patch &patch, const std::array<std::size_t, 4> &corner_vertices)
+inline Corners border_positions(const Patch& patch, const std::array<std::size_t, 4>& corner_vertices)
 {
   Corners corners{};
   for(int k = 0; k < 4; ++k) {
@@ -118,7 +118,7 @@ namespace parameters {
 /// the named parameter that carries the options of `parameterize_onto_square()`. It must come first in a chain of named
 /// parameters: `parameters::options(o).vertex_point_map(vpm)`.
 inline CGAL::Named_function_parameters<Square_map_options, internal::options_t>
-options(const Square_map_options &options)
+options(const Square_map_options& options)
 {
   return {options};
 }
@@ -159,8 +159,8 @@ options(const Square_map_options &options)
 /// \return the status, and on `OK` the corners, the stretch, the curve and the timings. No exception is thrown for bad
 ///         data.
 template <class TriangleMesh, class VertexUVMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh &mesh, VertexUVMap uvmap,
-                                                         const NamedParameters &np = NamedParameters())
+Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, VertexUVMap uvmap,
+                                                         const NamedParameters& np = NamedParameters())
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   namespace CP = CGAL::parameters;
@@ -196,7 +196,7 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh &mesh, Ver
     internal::write_uv(
         vertex_list, outcome.map.uv, uvmap,
         CGAL::Constant_property_map<typename Square_map_result<TriangleMesh>::vertex_descriptor, bool>());
-  } catch(const internal::Unmappable &error) {
+  } catch(const internal::Unmappable& error) {
     result.status = error.code();
     result.message = error.what();
   }

@@ -26,13 +26,13 @@ namespace internal {
 
 /// splits the edge of \p h at its midpoint, and its two faces with it
 template <class TriangleMesh, class VertexPointMap>
-void split_edge_at_midpoint(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, TriangleMesh &mesh,
+void split_edge_at_midpoint(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, TriangleMesh& mesh,
                             VertexPointMap vpm)
 {
   typedef typename boost::property_traits<VertexPointMap>::reference Reference;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   Reference p = get(vpm, source(h, mesh)), q = get(vpm, target(h, mesh));
-  const auto middle = [](const auto &a, const auto &b) { return a / 2 + b / 2; };
+  const auto middle = [](const auto& a, const auto& b) { return a / 2 + b / 2; };
   const Point midpoint(middle(p.x(), q.x()), middle(p.y(), q.y()), middle(p.z(), q.z()));
   const auto first = CGAL::Euler::split_edge(h, mesh); // ends at the new vertex; h begins there
   put(vpm, target(first, mesh), midpoint);
@@ -56,7 +56,7 @@ void split_edge_at_midpoint(typename boost::graph_traits<TriangleMesh>::halfedge
 ///         as value type.
 /// \pre all faces are triangles
 template <class TriangleMesh, class VertexPointMap>
-std::size_t split_chords(TriangleMesh &mesh, VertexPointMap vpm, Chords which = Chords::ALL)
+std::size_t split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which = Chords::ALL)
 {
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   const auto is_on_border = [&mesh](auto v) { return bool(CGAL::is_border(v, mesh)); };
@@ -82,7 +82,7 @@ std::size_t split_chords(TriangleMesh &mesh, VertexPointMap vpm, Chords which = 
 ///
 /// as above, with the internal vertex point map of \p mesh
 template <class TriangleMesh>
-std::size_t split_chords(TriangleMesh &mesh)
+std::size_t split_chords(TriangleMesh& mesh)
 {
   return split_chords(mesh, get(CGAL::vertex_point, mesh));
 }

@@ -4,6 +4,10 @@
 #ifndef SQUARE_MAP_COMMAND_LINE_H
 #define SQUARE_MAP_COMMAND_LINE_H
 
+#include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
+#include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
 #include "write_map.h"
@@ -35,7 +39,7 @@ struct Command_line
   bool wants_help = false;
   std::string help;
   std::string input, output, json;
-  std::string strategy = "quarter-brute-force", minimizer = "iterative";
+  std::string strategy = "hybrid", minimizer = "iterative";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
   bool is_quiet = false;
   CGAL_ext::Square_map_options options;
@@ -43,29 +47,39 @@ struct Command_line
 
 /// the value that a name stands for, or a usage error that lists the names
 template <class Value>
-const Value &named(const std::map<std::string, Value> &values, const std::string &option, const std::string &name)
+const Value& named(const std::map<std::string, Value>& values, const std::string& option, const std::string& name)
 {
   const auto found = values.find(name);
   if(found != values.end())
     return found->second;
   std::string names;
-  for(const auto &value : values)
+  for(const auto& value : values)
     names += (names.empty() ? "" : ", ") + value.first;
   throw Usage_error("--" + option + " is one of: " + names + "; not '" + name + "'");
 }
 
-inline const std::map<std::string, CGAL_ext::Corner_search> &strategies()
+/// the tuning numbers of the strategies; 0 stands for the formula of the paper
+struct Tuning
 {
-  static const std::map<std::string, CGAL_ext::Corner_search> result{
-      {"none", CGAL_ext::First_candidate_corner_search()},
-      {"brute-force", CGAL_ext::Brute_force_corner_search()},
-      {"quarter-brute-force", CGAL_ext::Quarter_brute_force_corner_search()}};
-  return result;
+  unsigned int step = 0, interval = 0, seed = 0;
+};
+
+inline std::map<std::string, CGAL_ext::Corner_search> strategies(const Tuning& tuning)
+{
+  return {{"none", CGAL_ext::First_candidate_corner_search()},
+          {"brute-force", CGAL_ext::Brute_force_corner_search()},
+          {"quarter-brute-force", CGAL_ext::Quarter_brute_force_corner_search()},
+          {"particle-swarm", CGAL_ext::Particle_swarm_corner_search(0, 20, 3, tuning.seed)},
+          {"step-sampling", CGAL_ext::Step_sampling_corner_search(static_cast<int>(tuning.step))},
+          {"single-highest", CGAL_ext::Single_highest_corner_search()},
+          {"many-high", CGAL_ext::Many_high_corner_search()},
+          {"better-of-two", CGAL_ext::Better_of_two_corner_search()},
+          {"hybrid", CGAL_ext::Hybrid_corner_search(static_cast<int>(tuning.interval))}};
 }
 
-typedef std::function<CGAL_ext::internal::Edge_weights(const CGAL_ext::internal::Patch &)> Weights;
+typedef std::function<CGAL_ext::internal::Edge_weights(const CGAL_ext::internal::Patch&)> Weights;
 
-inline const std::map<std::string, Weights> &weights()
+inline const std::map<std::string, Weights>& weights()
 {
   using CGAL_ext::Shape_preserving_weights;
   static const std::map<std::string, Weights> result{
@@ -81,7 +95,7 @@ inline const std::map<std::string, Weights> &weights()
 }
 
 /// the settings that reproduce the tables of the paper
-inline void apply_paper_preset(CGAL_ext::Square_map_options &options)
+inline void apply_paper_preset(CGAL_ext::Square_map_options& options)
 {
   options.minimization.weights = CGAL_ext::Shape_preserving_weights();
   options.minimization.eta = 1;
@@ -91,7 +105,7 @@ inline void apply_paper_preset(CGAL_ext::Square_map_options &options)
 }
 
 /// four vertex numbers separated by commas
-inline std::array<std::size_t, 4> parse_corners(const std::string &text)
+inline std::array<std::size_t, 4> parse_corners(const std::string& text)
 {
   std::array<std::size_t, 4> corners{};
   std::istringstream stream(text);
@@ -104,7 +118,7 @@ inline std::array<std::size_t, 4> parse_corners(const std::string &text)
   return corners;
 }
 
-inline void check_outputs(const Command_line &line)
+inline void check_outputs(const Command_line& line)
 {
   namespace fs = std::filesystem;
   if(!line.output.empty()) {
@@ -125,34 +139,41 @@ inline void check_outputs(const Command_line &line)
 }
 
 /// reads the command line; throws `Usage_error`
-inline Command_line parse_command_line(int argc, char **argv)
+inline Command_line parse_command_line(int argc, char** argv)
 {
   namespace po = boost::program_options;
   Command_line line;
   std::string weights_name, rule, walk, preset, corners, border;
   double eta = 0;
   unsigned int patience = 0, threads = 0;
+  Tuning tuning;
   po::options_description visible("options");
-  visible.add_options()("help,h", "show this text")("output,o", po::value(&line.output)->value_name("FILE"),
-                                                    "the map: .obj, .off or .ply by extension")(
-      "strategy", po::value(&line.strategy)->value_name("NAME"),
-      "how corners are searched: brute-force, quarter-brute-force (default), none")(
-      "minimizer", po::value(&line.minimizer)->value_name("NAME"),
-      "iterative (default)")("border", po::value(&border)->value_name("NAME"), "fixed (default)")(
-      "weights", po::value(&weights_name)->value_name("NAME"),
+  auto add = visible.add_options();
+  add("help,h", "show this text");
+  add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
+  add("strategy", po::value(&line.strategy)->value_name("NAME"),
+      "how corners are searched: hybrid (default), brute-force, quarter-brute-force, particle-swarm, step-sampling, "
+      "single-highest, many-high, better-of-two, none");
+  add("minimizer", po::value(&line.minimizer)->value_name("NAME"), "iterative (default)");
+  add("border", po::value(&border)->value_name("NAME"), "fixed (default)");
+  add("weights", po::value(&weights_name)->value_name("NAME"),
       "blended (default), shape-preserving, shape-preserving-plain, mean-value, symmetric-mean-value, uniform, "
-      "clamped-cotangent, harmonic")("corner-rule", po::value(&rule)->value_name("NAME"),
-                                     "where sides end: nearest (default), author")(
-      "walk", po::value(&walk)->value_name("NAME"),
-      "direction in which candidates are counted: counter-clockwise (default), clockwise")(
-      "preset", po::value(&preset)->value_name("NAME"), "paper: the settings of the published tables")(
-      "eta", po::value(&eta)->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3")(
-      "patience", po::value(&patience)->value_name("N"), "iterates that may fail to be lower; default 1")(
-      "threads", po::value(&threads)->value_name("N"),
-      "threads; 0 (default) for all cores")("corners", po::value(&corners)->value_name("a,b,c,d"),
-                                            "four border vertices, counter-clockwise, counted from 0: no search")(
-      "json", po::value(&line.json)->value_name("FILE"),
-      "report; - for standard output")("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
+      "clamped-cotangent, harmonic");
+  add("corner-rule", po::value(&rule)->value_name("NAME"), "where sides end: nearest (default), author");
+  add("walk", po::value(&walk)->value_name("NAME"),
+      "direction in which candidates are counted: counter-clockwise (default), clockwise");
+  add("preset", po::value(&preset)->value_name("NAME"), "paper: the settings of the published tables");
+  add("step", po::value(&tuning.step)->value_name("N"),
+      "step-sampling: distance between samples; 0 (default): sqrt(V m / F)");
+  add("interval", po::value(&tuning.interval)->value_name("N"), "hybrid: stride; 0 (default): the step less one");
+  add("seed", po::value(&tuning.seed)->value_name("N"), "particle-swarm: seed; default 0");
+  add("eta", po::value(&eta)->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
+  add("patience", po::value(&patience)->value_name("N"), "iterates that may fail to be lower; default 1");
+  add("threads", po::value(&threads)->value_name("N"), "threads; 0 (default) for all cores");
+  add("corners", po::value(&corners)->value_name("a,b,c,d"),
+      "four border vertices, counter-clockwise, counted from 0: no search");
+  add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");
+  add("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
   po::options_description all;
   all.add(visible).add_options()("input", po::value(&line.input));
   std::ostringstream help;
@@ -172,7 +193,7 @@ inline Command_line parse_command_line(int argc, char **argv)
                   .run(),
               given);
     po::notify(given);
-  } catch(const po::error &error) {
+  } catch(const po::error& error) {
     throw Usage_error(error.what());
   }
   line.wants_help = given.count("help") != 0;
@@ -180,11 +201,11 @@ inline Command_line parse_command_line(int argc, char **argv)
     return line;
   if(line.input.empty())
     throw Usage_error("no input file is given");
-  for(const char *number : {"threads", "patience"}) // a negative number would wrap round
+  for(const char* number : {"threads", "patience", "step", "interval", "seed"}) // a negative number would wrap round
     if(given.count(number) != 0 && given[number].as<unsigned int>() > 1000000)
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
 
-  CGAL_ext::Square_map_options &options = line.options;
+  CGAL_ext::Square_map_options& options = line.options;
   if(!preset.empty()) {
     named<bool>({{"paper", true}}, "preset", preset);
     apply_paper_preset(options);
@@ -192,7 +213,7 @@ inline Command_line parse_command_line(int argc, char **argv)
   named<bool>({{"iterative", true}}, "minimizer", line.minimizer);
   if(!border.empty())
     named<bool>({{"fixed", true}}, "border", border);
-  options.search = named(strategies(), "strategy", line.strategy);
+  options.search = named(strategies(tuning), "strategy", line.strategy);
   if(!weights_name.empty())
     options.minimization.weights = named(weights(), "weights", weights_name);
   using CGAL_ext::Corner_rule;

@@ -23,7 +23,7 @@ struct Output_error : std::runtime_error
 class Output_file
 {
 public:
-  explicit Output_file(const std::string &path) : m_name(path)
+  explicit Output_file(const std::string& path) : m_name(path)
   {
     namespace fs = std::filesystem;
     std::error_code error;
@@ -42,8 +42,8 @@ public:
     m_stream.precision(17);
   }
 
-  Output_file(const Output_file &) = delete;
-  Output_file &operator=(const Output_file &) = delete;
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
 
   ~Output_file()
   {
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  std::ofstream &stream() { return m_stream; }
+  std::ofstream& stream() { return m_stream; }
 
   /// makes sure that all text has reached the disk
   void close()

@@ -27,7 +27,7 @@ struct Malformed_file : std::runtime_error
 };
 
 /// reads points and polygons through CGAL's readers (OFF, OBJ, PLY, STL by extension)
-inline CGAL_ext::internal::Surface_soup read_soup(const std::string &path)
+inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
 {
   std::error_code error;
   if(!std::filesystem::exists(path, error))
@@ -39,18 +39,18 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string &path)
   bool is_read = false;
   try {
     is_read = CGAL::IO::read_polygon_soup(path, points, soup.faces, CGAL::parameters::verbose(false));
-  } catch(const std::exception &) {
+  } catch(const std::exception&) {
     // a header that promises more than memory holds
   }
   if(!is_read || (points.empty() && soup.faces.empty()))
     throw Malformed_file("cannot read '" + path + "': it is not a complete OFF, OBJ, PLY or STL file");
-  for(const Kernel::Point_3 &p : points)
+  for(const Kernel::Point_3& p : points)
     soup.points.emplace_back(p.x(), p.y(), p.z());
   return soup;
 }
 
 /// refuses coordinates that are not finite and faces whose vertices do not exist
-inline void check_well_formed(const CGAL_ext::internal::Surface_soup &soup, const std::string &path)
+inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, const std::string& path)
 {
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(!soup.points[v].allFinite())
@@ -64,13 +64,13 @@ inline void check_well_formed(const CGAL_ext::internal::Surface_soup &soup, cons
 }
 
 /// the mesh of a conditioned soup; vertices and faces keep their order
-inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup &soup)
+inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
 {
   Mesh mesh;
   mesh.reserve(soup.points.size(), soup.points.size() + soup.faces.size(), soup.faces.size());
-  for(const Eigen::Vector3d &p : soup.points)
+  for(const Eigen::Vector3d& p : soup.points)
     mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  for(const auto &face : soup.faces)
+  for(const auto& face : soup.faces)
     mesh.add_face(Mesh::Vertex_index(face[0]), Mesh::Vertex_index(face[1]), Mesh::Vertex_index(face[2]));
   return mesh;
 }

@@ -25,9 +25,9 @@ inline nlohmann::ordered_json number(double x)
 }
 
 /// the report of a run that made a map
-inline nlohmann::ordered_json make_report(const Command_line &line, std::size_t input_vertices, std::size_t input_faces,
-                                          const CGAL_ext::internal::Conditioning_report &conditioning, const Mesh &mesh,
-                                          const CGAL_ext::Square_map_result<Mesh> &result, const Timings &seconds)
+inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t input_vertices, std::size_t input_faces,
+                                          const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh,
+                                          const CGAL_ext::Square_map_result<Mesh>& result, const Timings& seconds)
 {
   nlohmann::ordered_json json;
   json["input"] = {{"file", line.input}, {"vertices", input_vertices}, {"faces", input_faces}};
@@ -55,7 +55,7 @@ inline nlohmann::ordered_json make_report(const Command_line &line, std::size_t 
                   {"flipped", result.measures.flipped_faces},
                   {"iterations", result.minimization.iterations}};
   json["curve"] = nlohmann::ordered_json::array();
-  for(const auto &sample : result.search.curve)
+  for(const auto& sample : result.search.curve)
     json["curve"].push_back({{"candidate", sample.candidate}, {"l2", number(sample.stretch)}});
   json["threads"] = line.options.search_options.number_of_threads == 0
                         ? tbb::this_task_arena::max_concurrency()

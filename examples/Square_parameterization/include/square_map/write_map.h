@@ -19,7 +19,7 @@ namespace square_map {
 typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> UV_map;
 
 /// extension of the path in lower case, without the dot
-inline std::string extension_of(const std::string &path)
+inline std::string extension_of(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
   extension.erase(0, 1);
@@ -29,7 +29,7 @@ inline std::string extension_of(const std::string &path)
 }
 
 /// Wavefront OBJ: one texture vertex per vertex, faces `v/vt`
-inline void write_obj(std::ostream &stream, const Mesh &mesh, UV_map uv)
+inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv)
 {
   for(Mesh::Vertex_index v : mesh.vertices())
     stream << "v " << mesh.point(v) << '\n';
@@ -45,7 +45,7 @@ inline void write_obj(std::ostream &stream, const Mesh &mesh, UV_map uv)
 
 /// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point) or
 /// ply (vertex properties s and t)
-inline void write_map(std::ostream &stream, Mesh &mesh, UV_map uv, const std::string &extension)
+inline void write_map(std::ostream& stream, Mesh& mesh, UV_map uv, const std::string& extension)
 {
   if(extension == "obj")
     write_obj(stream, mesh, uv);

@@ -40,8 +40,8 @@ public:
   /// \param number_of_threads 0 for all cores
   /// \param callback asked before each evaluation, with the share of the candidates evaluated so far; `false` stops.
   ///        May be empty.
-  Candidate_evaluation(int number_of_candidates, const std::function<Worker()> &make_worker,
-                       unsigned int number_of_threads, Search_visitor *visitor, std::function<bool(double)> callback)
+  Candidate_evaluation(int number_of_candidates, const std::function<Worker()>& make_worker,
+                       unsigned int number_of_threads, Search_visitor* visitor, std::function<bool(double)> callback)
     : m_number_of_candidates(number_of_candidates),
       m_workers(make_worker),
       m_arena(number_of_threads == 0 ? static_cast<int>(tbb::task_arena::automatic)
@@ -52,7 +52,7 @@ public:
 
   /// the stretch of \p candidates, in their order. Throws `Search_cancelled` as soon as the candidates that are under
   /// way are finished when the callback returns `false`.
-  std::vector<double> operator()(const std::vector<int> &candidates)
+  std::vector<double> operator()(const std::vector<int>& candidates)
   {
     std::vector<int> missing;
     for(int candidate : candidates)
@@ -62,7 +62,7 @@ public:
     m_arena.execute([&] {
       tbb::parallel_for(
           tbb::blocked_range<std::size_t>(0, missing.size(), 1),
-          [&](const auto &range) {
+          [&](const auto& range) {
             for(std::size_t i = range.begin(); i != range.end() && may_continue(); ++i) {
               evaluate(missing[i]);
               is_done[i] = true;
@@ -81,7 +81,7 @@ public:
     return result;
   }
 
-  const Minimized_map &best_map() const { return m_best_map; }
+  const Minimized_map& best_map() const { return m_best_map; }
 
   /// what has been found, but for the corners
   Search_report report() const
@@ -92,7 +92,7 @@ public:
     report.best_candidate = m_best_candidate;
     report.best_stretch = m_best_map.report.l2;
     report.is_cancelled = m_is_cancelled;
-    for(const auto &[candidate, stretch] : m_stretch)
+    for(const auto& [candidate, stretch] : m_stretch)
       report.curve.push_back({candidate, stretch});
     return report;
   }
@@ -128,7 +128,7 @@ private:
   const int m_number_of_candidates;
   tbb::enumerable_thread_specific<Worker> m_workers;
   tbb::task_arena m_arena;
-  Search_visitor *m_visitor;
+  Search_visitor* m_visitor;
   std::function<bool(double)> m_callback;
 
   std::mutex m_mutex; // guards what follows while threads run

@@ -20,13 +20,13 @@ public:
   /// \param is_upper_triangle the matrices are symmetric and only their upper triangle is stored
   explicit Cgal_linear_solver(bool is_upper_triangle) : m_is_upper_triangle(is_upper_triangle) {}
 
-  bool factorize(const Sparse_matrix &matrix) override
+  bool factorize(const Sparse_matrix& matrix) override
   {
     m_matrix = matrix;
     return true;
   }
 
-  bool solve(const Right_hand_sides &right_hand_sides, Right_hand_sides &solution) const override
+  bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const override
   {
     const int n = static_cast<int>(m_matrix.rows());
     typename SolverTraits::Matrix a(n, n);

@@ -31,7 +31,7 @@ public:
     Right_hand_sides right_hand_sides;
   };
 
-  Convex_combination_system(const Patch &patch, Edge_weights weights)
+  Convex_combination_system(const Patch& patch, Edge_weights weights)
     : m_patch(patch), m_weights(std::move(weights)), m_border_position(patch.points.size(), -1)
   {
     for(std::size_t k = 0; k < patch.border.size(); ++k)
@@ -43,15 +43,15 @@ public:
   bool is_symmetric() const { return m_weights.is_symmetric; }
 
   /// writes the equations for the factors \p s (#V) and the border \p border_uv (#B by 2)
-  void assemble(const std::vector<double> &s, const Uv_coordinates &border_uv, Equations &equations) const
+  void assemble(const std::vector<double>& s, const Uv_coordinates& border_uv, Equations& equations) const
   {
     if(equations.matrix.nonZeros() == 0)
       equations.matrix = m_pattern;
-    double *const values = equations.matrix.valuePtr();
+    double* const values = equations.matrix.valuePtr();
     std::fill(values, values + equations.matrix.nonZeros(), 0.);
     equations.right_hand_sides.setZero(m_pattern.rows(), 2);
     for(std::size_t e = 0; e < m_patch.edges.size(); ++e) {
-      const auto &[a, b] = m_patch.edges[e];
+      const auto& [a, b] = m_patch.edges[e];
       const double scale_a = is_symmetric() ? s[a] : 1, scale_b = is_symmetric() ? s[b] : 1;
       add_neighbor(a, b, scale_a * m_weights.values[e][0] * s[b], m_slots[e][0], border_uv, equations);
       add_neighbor(b, a, scale_b * m_weights.values[e][1] * s[a], m_slots[e][1], border_uv, equations);
@@ -59,7 +59,7 @@ public:
   }
 
   /// the map (#V by 2) made of the interior \p solution and the border \p border_uv (#B by 2)
-  void compose(const Right_hand_sides &solution, const Uv_coordinates &border_uv, Uv_coordinates &uv) const
+  void compose(const Right_hand_sides& solution, const Uv_coordinates& border_uv, Uv_coordinates& uv) const
   {
     uv.resize(m_patch.number_of_vertices(), 2);
     for(int v = 0; v < m_patch.number_of_vertices(); ++v) {
@@ -81,7 +81,7 @@ private:
       if(m_border_position[v] < 0)
         m_row[v] = n++;
     std::vector<Eigen::Triplet<double>> entries;
-    for(const auto &[a, b] : m_patch.edges)
+    for(const auto& [a, b] : m_patch.edges)
       if(m_row[a] >= 0 && m_row[b] >= 0) {
         entries.emplace_back(m_row[a], m_row[b], 1.);
         entries.emplace_back(m_row[b], m_row[a], 1.);
@@ -95,7 +95,7 @@ private:
     std::vector<int> old_to_new(n);
     for(int i = 0; i < n; ++i)
       old_to_new[new_to_old.indices()[i]] = i;
-    for(int &row : m_row)
+    for(int& row : m_row)
       if(row >= 0)
         row = old_to_new[row];
   }
@@ -106,14 +106,14 @@ private:
     std::vector<Eigen::Triplet<double>> entries;
     for(int i = 0; i < n; ++i)
       entries.emplace_back(i, i, 1.);
-    for(const auto &[a, b] : m_patch.edges)
-      for(const auto &[i, j] : {std::make_pair(m_row[a], m_row[b]), std::make_pair(m_row[b], m_row[a])})
+    for(const auto& [a, b] : m_patch.edges)
+      for(const auto& [i, j] : {std::make_pair(m_row[a], m_row[b]), std::make_pair(m_row[b], m_row[a])})
         if(is_stored(i, j))
           entries.emplace_back(i, j, 1.);
     m_pattern.resize(n, n);
     m_pattern.setFromTriplets(entries.begin(), entries.end());
     m_pattern.makeCompressed();
-    for(const auto &[a, b] : m_patch.edges)
+    for(const auto& [a, b] : m_patch.edges)
       m_slots.push_back({slot(m_row[a], m_row[b]), slot(m_row[b], m_row[a])});
     for(int i = 0; i < n; ++i)
       m_diagonal.push_back(slot(i, i));
@@ -131,8 +131,8 @@ private:
   }
 
   /// adds the term  weight (p_vertex - p_neighbor)  to the equation of `vertex`, if it has one
-  void add_neighbor(int vertex, int neighbor, double weight, int slot, const Uv_coordinates &border_uv,
-                    Equations &equations) const
+  void add_neighbor(int vertex, int neighbor, double weight, int slot, const Uv_coordinates& border_uv,
+                    Equations& equations) const
   {
     const int row = m_row[vertex];
     if(row < 0)
@@ -144,7 +144,7 @@ private:
       equations.matrix.valuePtr()[slot] -= weight;
   }
 
-  const Patch &m_patch;
+  const Patch& m_patch;
   Edge_weights m_weights;
   std::vector<int> m_border_position; // #V, -1 inside
   std::vector<int> m_row;             // #V, -1 on the border

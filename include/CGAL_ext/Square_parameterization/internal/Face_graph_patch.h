@@ -32,7 +32,7 @@ struct Face_graph_patch
 /// the faces of the connected component of \p seed, in the order of the mesh
 template <class TriangleMesh>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
-faces_of_component(typename boost::graph_traits<TriangleMesh>::face_descriptor seed, const TriangleMesh &mesh)
+faces_of_component(typename boost::graph_traits<TriangleMesh>::face_descriptor seed, const TriangleMesh& mesh)
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   std::unordered_set<face_descriptor> visited{seed};
@@ -54,7 +54,7 @@ faces_of_component(typename boost::graph_traits<TriangleMesh>::face_descriptor s
 /// Border halfedges run the other way: the loop follows `prev()`.
 template <class TriangleMesh>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-border_loop(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, const TriangleMesh &mesh)
+border_loop(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, const TriangleMesh& mesh)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> loop;
   auto h = bhd;
@@ -69,14 +69,14 @@ border_loop(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
 template <class VertexPointMap, class Vertex>
 Eigen::Vector3d point_of(VertexPointMap vpm, Vertex v)
 {
-  const auto &p = get(vpm, v);
+  const auto& p = get(vpm, v);
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
 /// lengths of the edges of a closed loop, edge k from loop[k] to the vertex after it; nothing when a length is zero or
 /// not finite
 template <class Vertex, class VertexPointMap>
-std::optional<std::vector<double>> border_lengths(const std::vector<Vertex> &loop, VertexPointMap vpm)
+std::optional<std::vector<double>> border_lengths(const std::vector<Vertex>& loop, VertexPointMap vpm)
 {
   std::vector<double> lengths;
   for(std::size_t k = 0; k < loop.size(); ++k) {
@@ -94,7 +94,7 @@ std::optional<std::vector<double>> border_lengths(const std::vector<Vertex> &loo
 /// Throws `Unmappable` when the component is not a triangulated disk, and as `make_patch()`.
 template <class TriangleMesh, class VertexPointMap>
 Face_graph_patch<TriangleMesh>
-make_face_graph_patch(const TriangleMesh &mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+make_face_graph_patch(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                       VertexPointMap vpm)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;

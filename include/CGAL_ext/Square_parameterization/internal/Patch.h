@@ -53,7 +53,7 @@ struct Patch
 /// multiplies the points by a power of two so that the largest coordinate is near 1: exact, and no square overflows.
 /// The points are moved to their centre first, so that a far origin costs no digits afterwards.
 /// Returns the length, after scaling, below which the coordinates carry no information.
-inline double normalise_coordinates(std::vector<Eigen::Vector3d> &points)
+inline double normalise_coordinates(std::vector<Eigen::Vector3d>& points)
 {
   Eigen::AlignedBox3d box;
   for(std::size_t v = 0; v < points.size(); ++v) {
@@ -69,14 +69,14 @@ inline double normalise_coordinates(std::vector<Eigen::Vector3d> &points)
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "the surface has no extent: all its vertices coincide");
   const int exponent = -std::ilogb(radius);
-  for(Eigen::Vector3d &p : points)
+  for(Eigen::Vector3d& p : points)
     p = (p - center).unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
   return 2 * std::numeric_limits<double>::epsilon() * std::ldexp(largest, exponent);
 }
 
 /// lays triangle `pqr` into the plane; a height or a base that is lost in the rounding of the coordinates gives an
 /// `y2` of zero
-inline Flat_triangle flatten(const Eigen::Vector3d &p, const Eigen::Vector3d &q, const Eigen::Vector3d &r,
+inline Flat_triangle flatten(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r,
                              double least_length)
 {
   const Eigen::Vector3d a = q - p, b = r - p;
@@ -93,14 +93,14 @@ inline Flat_triangle flatten(const Eigen::Vector3d &p, const Eigen::Vector3d &q,
 }
 
 /// fills `edges`, `triangle_edges` and `chords` of a patch whose triangles and border are set
-inline void number_edges(Patch &patch)
+inline void number_edges(Patch& patch)
 {
   struct Side
   {
     int low, high, triangle, corner;
   };
   std::vector<int> first(patch.points.size() + 1, 0);
-  for(const auto &t : patch.triangles)
+  for(const auto& t : patch.triangles)
     for(int k = 0; k < 3; ++k)
       ++first[(std::min)(t[(k + 1) % 3], t[(k + 2) % 3]) + 1];
   for(std::size_t v = 1; v < first.size(); ++v)
@@ -109,7 +109,7 @@ inline void number_edges(Patch &patch)
   std::vector<Side> sides(3 * patch.triangles.size());
   std::vector<int> next(first.begin(), first.end() - 1);
   for(int f = 0; f < patch.number_of_faces(); ++f) {
-    const auto &t = patch.triangles[f];
+    const auto& t = patch.triangles[f];
     for(int k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(t[(k + 1) % 3], t[(k + 2) % 3]);
       sides[next[low]++] = {low, high, f, k};
@@ -124,7 +124,7 @@ inline void number_edges(Patch &patch)
   patch.triangle_edges.resize(patch.triangles.size());
   for(std::size_t v = 0; v + 1 < first.size(); ++v) {
     const auto begin = sides.begin() + first[v], end = sides.begin() + first[v + 1];
-    std::sort(begin, end, [](const Side &a, const Side &b) {
+    std::sort(begin, end, [](const Side& a, const Side& b) {
       return std::make_pair(a.high, a.triangle) < std::make_pair(b.high, b.triangle);
     });
     for(auto side = begin; side != end; ++side) {
@@ -170,7 +170,7 @@ inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::ar
   double area = 0;
   std::size_t flat_faces = 0, first_flat_face = 0;
   for(std::size_t f = 0; f < patch.triangles.size(); ++f) {
-    const auto &[a, b, c] = patch.triangles[f];
+    const auto& [a, b, c] = patch.triangles[f];
     patch.shapes.push_back(flatten(patch.points[a], patch.points[b], patch.points[c], least_length));
     area += patch.shapes.back().area();
     if(patch.shapes.back().y2 == 0 && flat_faces++ == 0)
@@ -182,16 +182,16 @@ inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::ar
                                                        std::to_string(first_flat_face));
 
   const double scale = 1 / std::sqrt(area);
-  for(Eigen::Vector3d &p : patch.points)
+  for(Eigen::Vector3d& p : patch.points)
     p *= scale;
   patch.vertex_areas.assign(patch.points.size(), 0.);
   for(std::size_t f = 0; f < patch.triangles.size(); ++f) {
-    Flat_triangle &shape = patch.shapes[f];
+    Flat_triangle& shape = patch.shapes[f];
     shape = {shape.x1 * scale, shape.x2 * scale, shape.y2 * scale};
     for(int v : patch.triangles[f])
       patch.vertex_areas[v] += shape.area();
   }
-  for(double &length : patch.border_lengths)
+  for(double& length : patch.border_lengths)
     length *= scale;
   number_edges(patch);
   return patch;

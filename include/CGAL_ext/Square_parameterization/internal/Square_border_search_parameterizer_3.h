@@ -35,7 +35,7 @@ public:
   {}
 
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code parameterize(const Triangle_mesh &mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
                           VertexIndexMap /* vimap */, VertexParameterizedMap vpmap) const
   {
     namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -51,7 +51,7 @@ public:
         border_uv.row(k) = outcome.map.uv.row(patch.border[k]);
       write_uv(select(vertices, patch.border), border_uv, uvmap, vpmap);
       return SMP::OK;
-    } catch(const Unmappable &error) {
+    } catch(const Unmappable& error) {
       return error.code();
     }
   }
@@ -61,7 +61,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   /// searches the corners for maps made by \p iteration
-  Search_outcome search(const Patch &patch, const Stretch_iteration &iteration) const
+  Search_outcome search(const Patch& patch, const Stretch_iteration& iteration) const
   {
     return search_square_map(patch, iteration, m_search, m_options);
   }

@@ -49,8 +49,8 @@ public:
     Uv_coordinates uv;
   };
 
-  Stretch_iteration(const Patch &patch, Edge_weights weights, Linear_solver_factory make_solver,
-                    const Stretch_iteration_options &options)
+  Stretch_iteration(const Patch& patch, Edge_weights weights, Linear_solver_factory make_solver,
+                    const Stretch_iteration_options& options)
     : m_patch(patch),
       m_system(patch, std::move(weights)),
       m_make_solver(std::move(make_solver)),
@@ -69,10 +69,10 @@ public:
   /// and solves again. Keeps the iterate of least stretch; stops after `patience` + 1 iterates in a row that are not
   /// lower than it (Yoshizawa et al. stop at the first).
   /// \param uv_area area inside the border: the stretch is normalised by it
-  Minimized_map minimize(const Uv_coordinates &border_uv, double uv_area, Workspace &workspace) const
+  Minimized_map minimize(const Uv_coordinates& border_uv, double uv_area, Workspace& workspace) const
   {
     Minimized_map best;
-    Minimization_report &report = best.report;
+    Minimization_report& report = best.report;
     if(!m_is_first_system_solvable) {
       report.stop_reason = Stop_reason::CANNOT_SOLVE;
       return best;
@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  bool solve_with_stretch_weights(const Uv_coordinates &border_uv, Workspace &workspace) const
+  bool solve_with_stretch_weights(const Uv_coordinates& border_uv, Workspace& workspace) const
   {
     for(std::size_t v = 0; v < workspace.factors.size(); ++v)
       workspace.factors[v] /= std::pow(workspace.sigma[v], m_options.eta);
@@ -121,7 +121,7 @@ private:
            workspace.solver->solve(workspace.equations.right_hand_sides, workspace.solution);
   }
 
-  const Patch &m_patch;
+  const Patch& m_patch;
   Convex_combination_system m_system;
   Linear_solver_factory m_make_solver;
   Stretch_iteration_options m_options;

@@ -19,7 +19,7 @@ using CGAL::Surface_mesh_parameterization::Error_code;
 class Unmappable : public std::runtime_error
 {
 public:
-  Unmappable(Error_code code, const std::string &message) : std::runtime_error(message), m_code(code) {}
+  Unmappable(Error_code code, const std::string& message) : std::runtime_error(message), m_code(code) {}
 
   Error_code code() const { return m_code; }
 

@@ -24,7 +24,7 @@ class Border_walk
 {
 public:
   /// \param lengths #B, edge k joins border vertices k and k + 1, counter-clockwise
-  Border_walk(const std::vector<double> &lengths, Walk walk) : m_lengths(lengths), m_clockwise(walk == Walk::CLOCKWISE)
+  Border_walk(const std::vector<double>& lengths, Walk walk) : m_lengths(lengths), m_clockwise(walk == Walk::CLOCKWISE)
   {
     if(m_clockwise)
       std::reverse(m_lengths.begin(), m_lengths.end());
@@ -51,7 +51,7 @@ private:
 };
 
 /// number of candidates in the first quarter of the walk: those nearer than a quarter of the border to its start
-inline int number_of_quarter_candidates(const Border_walk &walk)
+inline int number_of_quarter_candidates(const Border_walk& walk)
 {
   double length = 0;
   int m = 0;
@@ -61,14 +61,14 @@ inline int number_of_quarter_candidates(const Border_walk &walk)
 }
 
 /// last edges at which the sides 0, 1 and 2 may close, so that every later side keeps an edge
-inline int last_closing(const Border_walk &walk, int side)
+inline int last_closing(const Border_walk& walk, int side)
 {
   return walk.size() - 3 + side;
 }
 
 /// closes three sides from walk position \p start as the authors of the method do: at the edge end where the length of
 /// the side first reaches a quarter; before that edge when the length would be 1.1 quarters or more.
-inline std::array<int, 3> close_sides_by_length(const Border_walk &walk, int start)
+inline std::array<int, 3> close_sides_by_length(const Border_walk& walk, int start)
 {
   const double quarter = walk.total_length() / 4;
   std::array<int, 3> closings{};
@@ -92,7 +92,7 @@ inline std::array<int, 3> close_sides_by_length(const Border_walk &walk, int sta
 
 /// closes three sides at the vertices whose length from walk position \p start is nearest to one, two and three
 /// quarters; a side that would have no edge moves on to the next vertex.
-inline std::array<int, 3> close_sides_at_nearest(const Border_walk &walk, int start)
+inline std::array<int, 3> close_sides_at_nearest(const Border_walk& walk, int start)
 {
   const double quarter = walk.total_length() / 4;
   std::array<int, 3> closings{};
@@ -111,7 +111,7 @@ inline std::array<int, 3> close_sides_at_nearest(const Border_walk &walk, int st
 
 /// the four corners, as positions on the walk, when the vertex at walk position \p candidate goes to (0, 0).
 /// \pre the border has at least four vertices
-inline Corners corners_of_candidate(const Border_walk &walk, int candidate, Corner_rule rule)
+inline Corners corners_of_candidate(const Border_walk& walk, int candidate, Corner_rule rule)
 {
   const std::array<int, 3> closings =
       rule == Corner_rule::AUTHOR ? close_sides_by_length(walk, candidate) : close_sides_at_nearest(walk, candidate);
@@ -132,7 +132,7 @@ struct Square_border
 ///
 /// A clockwise walk would mirror the map: u and v are exchanged, so that the map is never mirrored.
 /// \param walk_corners positions on the walk, in order along it
-inline Square_border square_border(const Border_walk &walk, const Corners &walk_corners)
+inline Square_border square_border(const Border_walk& walk, const Corners& walk_corners)
 {
   static const double origins[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   static const double directions[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -162,7 +162,7 @@ inline Square_border square_border(const Border_walk &walk, const Corners &walk_
 }
 
 /// indicates whether the four border positions are distinct and met in this order on one round of the border
-inline bool are_corners_in_order(const Corners &corners, int border_size)
+inline bool are_corners_in_order(const Corners& corners, int border_size)
 {
   int previous = 0;
   for(int k = 1; k < 4; ++k) {
@@ -176,7 +176,7 @@ inline bool are_corners_in_order(const Corners &corners, int border_size)
 
 /// puts the border on the circle of radius \p radius around the origin by arc length, counter-clockwise, its first
 /// vertex at (radius, 0). Returns one uv per border vertex (#B by 2).
-inline Uv_coordinates circular_border(const std::vector<double> &lengths, double radius)
+inline Uv_coordinates circular_border(const std::vector<double>& lengths, double radius)
 {
   const double two_pi = 2 * EIGEN_PI;
   const double total = std::accumulate(lengths.begin(), lengths.end(), 0.);

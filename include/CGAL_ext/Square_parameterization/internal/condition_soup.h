@@ -64,7 +64,7 @@ struct Soup_side
 };
 
 /// the sides of all triangles, those of one edge together
-inline std::vector<Soup_side> sides_by_edge(const std::vector<std::vector<std::size_t>> &faces)
+inline std::vector<Soup_side> sides_by_edge(const std::vector<std::vector<std::size_t>>& faces)
 {
   std::vector<Soup_side> sides;
   for(std::size_t f = 0; f < faces.size(); ++f)
@@ -72,7 +72,7 @@ inline std::vector<Soup_side> sides_by_edge(const std::vector<std::vector<std::s
       const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % 3]);
       sides.push_back({low, high, f, k});
     }
-  std::sort(sides.begin(), sides.end(), [](const Soup_side &a, const Soup_side &b) {
+  std::sort(sides.begin(), sides.end(), [](const Soup_side& a, const Soup_side& b) {
     return std::tie(a.low, a.high, a.face, a.corner) < std::tie(b.low, b.high, b.face, b.corner);
   });
   return sides;
@@ -80,10 +80,10 @@ inline std::vector<Soup_side> sides_by_edge(const std::vector<std::vector<std::s
 
 /// calls `visit(begin, end)` with the sides of each edge
 template <class Visit>
-void for_each_edge(const std::vector<Soup_side> &sides, Visit visit)
+void for_each_edge(const std::vector<Soup_side>& sides, Visit visit)
 {
   for(auto begin = sides.begin(); begin != sides.end();) {
-    const auto end = std::find_if(begin, sides.end(), [begin](const Soup_side &side) {
+    const auto end = std::find_if(begin, sides.end(), [begin](const Soup_side& side) {
       return side.low != begin->low || side.high != begin->high;
     });
     visit(begin, end);
@@ -96,7 +96,7 @@ class Complaint
 {
 public:
   /// adds `count` things of which `places` are the first few
-  void add(std::size_t count, const std::string &what, const std::vector<std::string> &places = {})
+  void add(std::size_t count, const std::string& what, const std::vector<std::string>& places = {})
   {
     if(count == 0)
       return;
@@ -120,7 +120,7 @@ private:
 constexpr std::size_t NAMED_PLACES = 3; // as many places are named in a message
 
 /// refuses faces that are not triangles or repeat a vertex, and edges with more than two faces
-inline void check_triangles_and_edges(const Surface_soup &soup)
+inline void check_triangles_and_edges(const Surface_soup& soup)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(soup.faces.empty())
@@ -129,7 +129,7 @@ inline void check_triangles_and_edges(const Surface_soup &soup)
   std::vector<std::string> polygons, repeating;
   std::size_t number_of_polygons = 0, number_of_repeating = 0;
   for(std::size_t f = 0; f < soup.faces.size(); ++f) {
-    const auto &face = soup.faces[f];
+    const auto& face = soup.faces[f];
     if(face.size() != 3 && ++number_of_polygons <= NAMED_PLACES)
       polygons.push_back("face " + std::to_string(f) + " has " + std::to_string(face.size()) + " vertices");
     if(std::set<std::size_t>(face.begin(), face.end()).size() < face.size() && ++number_of_repeating <= NAMED_PLACES)
@@ -150,7 +150,7 @@ inline void check_triangles_and_edges(const Surface_soup &soup)
 }
 
 /// turns faces round until neighbors agree, in each component as few as possible; returns how many it turned
-inline std::size_t orient_faces(Surface_soup &soup)
+inline std::size_t orient_faces(Surface_soup& soup)
 {
   struct Neighbor
   {
@@ -180,9 +180,9 @@ inline std::size_t orient_faces(Surface_soup &soup)
     turns[seed] = Turn::NO;
     std::size_t to_turn = 0;
     for(std::size_t i = 0; i < component.size(); ++i)
-      for(const Neighbor &neighbor : neighbors[component[i]]) {
+      for(const Neighbor& neighbor : neighbors[component[i]]) {
         const bool turn = (turns[component[i]] == Turn::YES) != neighbor.is_opposed;
-        Turn &known = turns[neighbor.face];
+        Turn& known = turns[neighbor.face];
         if(known == Turn::UNKNOWN) {
           known = turn ? Turn::YES : Turn::NO;
           to_turn += turn ? 1 : 0;
@@ -203,7 +203,7 @@ inline std::size_t orient_faces(Surface_soup &soup)
 }
 
 /// refuses oriented manifold-edged surfaces that are not one disk: counts components, pinched vertices, borders, genus
-inline void check_disk(const Surface_soup &soup)
+inline void check_disk(const Surface_soup& soup)
 {
   const std::size_t V = soup.points.size(), F = soup.faces.size();
   Disjoint_sets components(V), corners(3 * F), loops(V);
@@ -215,7 +215,7 @@ inline void check_disk(const Surface_soup &soup)
     components.unite(begin->low, begin->high);
     is_used[begin->low] = is_used[begin->high] = true;
     if(end - begin == 2) { // oriented: where one face begins the edge the other ends it
-      const auto &[f, g] = std::make_pair(*begin, *(begin + 1));
+      const auto& [f, g] = std::make_pair(*begin, *(begin + 1));
       corners.unite(3 * f.face + f.corner, 3 * g.face + next(g.corner));
       corners.unite(3 * f.face + next(f.corner), 3 * g.face + g.corner);
     } else {
@@ -253,10 +253,10 @@ inline void check_disk(const Surface_soup &soup)
 }
 
 /// drops the vertices of no face; the others keep their order
-inline void drop_isolated_vertices(Surface_soup &soup, Conditioning_report &report)
+inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& report)
 {
   report.new_index.assign(soup.points.size(), Conditioning_report::DROPPED);
-  for(const auto &face : soup.faces)
+  for(const auto& face : soup.faces)
     for(std::size_t v : face)
       report.new_index[v] = 0;
   std::size_t kept = 0;
@@ -267,15 +267,15 @@ inline void drop_isolated_vertices(Surface_soup &soup, Conditioning_report &repo
     }
   report.vertices_dropped = soup.points.size() - kept;
   soup.points.resize(kept);
-  for(auto &face : soup.faces)
-    for(std::size_t &v : face)
+  for(auto& face : soup.faces)
+    for(std::size_t& v : face)
       v = report.new_index[v];
 }
 
 /// makes a soup one connected, manifold, oriented triangle disk by turning faces round and dropping isolated vertices,
 /// or throws `Unmappable` with a sentence that counts what is wrong and names the first places.
 /// \pre every index of a face is that of a point, every coordinate is finite
-inline Conditioning_report condition_soup(Surface_soup &soup)
+inline Conditioning_report condition_soup(Surface_soup& soup)
 {
   Conditioning_report report;
   check_triangles_and_edges(soup);

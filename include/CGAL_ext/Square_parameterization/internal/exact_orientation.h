@@ -12,7 +12,7 @@ namespace CGAL_ext {
 namespace internal {
 
 /// indicates whether the uv triangle \p t is counter-clockwise, exactly
-inline bool is_counterclockwise(const Uv_coordinates &uv, const std::array<int, 3> &t)
+inline bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t)
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   const auto point = [&](int v) { return Kernel::Point_2(uv(v, 0), uv(v, 1)); };
@@ -21,10 +21,10 @@ inline bool is_counterclockwise(const Uv_coordinates &uv, const std::array<int, 
 
 /// number of uv triangles that are clockwise or flat, exactly. A map onto a convex border without such triangles is
 /// one-to-one.
-inline std::size_t number_of_flipped_faces(const std::vector<std::array<int, 3>> &triangles, const Uv_coordinates &uv)
+inline std::size_t number_of_flipped_faces(const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
 {
   std::size_t flipped = 0;
-  for(const auto &t : triangles)
+  for(const auto& t : triangles)
     if(!is_counterclockwise(uv, t))
       ++flipped;
   return flipped;

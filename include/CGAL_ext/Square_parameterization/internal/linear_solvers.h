@@ -22,8 +22,8 @@ class Linear_solver
 {
 public:
   virtual ~Linear_solver() = default;
-  virtual bool factorize(const Sparse_matrix &matrix) = 0;
-  virtual bool solve(const Right_hand_sides &right_hand_sides, Right_hand_sides &solution) const = 0;
+  virtual bool factorize(const Sparse_matrix& matrix) = 0;
+  virtual bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const = 0;
 };
 
 /// makes a solver for symmetric positive definite matrices, given as their upper triangle, or for general matrices
@@ -34,7 +34,7 @@ template <class Factorization>
 class Direct_solver : public Linear_solver
 {
 public:
-  bool factorize(const Sparse_matrix &matrix) override
+  bool factorize(const Sparse_matrix& matrix) override
   {
     if(!m_analyzed)
       m_factorization.analyzePattern(matrix);
@@ -43,7 +43,7 @@ public:
     return m_factorization.info() == Eigen::Success;
   }
 
-  bool solve(const Right_hand_sides &right_hand_sides, Right_hand_sides &solution) const override
+  bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const override
   {
     solution = m_factorization.solve(right_hand_sides);
     return m_factorization.info() == Eigen::Success && solution.allFinite();

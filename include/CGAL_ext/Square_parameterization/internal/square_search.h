@@ -24,14 +24,14 @@ struct Search_outcome
 };
 
 /// indicates whether an interior edge has both ends on one side of the square: its triangles would have no area
-inline bool has_chord_on_a_side(const Patch &patch, const Uv_coordinates &border_uv)
+inline bool has_chord_on_a_side(const Patch& patch, const Uv_coordinates& border_uv)
 {
   if(patch.chords.empty())
     return false;
   std::vector<int> position(patch.points.size(), -1);
   for(std::size_t k = 0; k < patch.border.size(); ++k)
     position[patch.border[k]] = static_cast<int>(k);
-  for(const auto &[a, b] : patch.chords)
+  for(const auto& [a, b] : patch.chords)
     for(int axis = 0; axis < 2; ++axis) {
       const double x = border_uv(position[a], axis);
       if(x == border_uv(position[b], axis) && (x == 0 || x == 1))
@@ -42,8 +42,8 @@ inline bool has_chord_on_a_side(const Patch &patch, const Uv_coordinates &border
 
 /// maps the patch for one border on the square. The result has no uv, and infinite stretch, unless the map is
 /// one-to-one by exact arithmetic.
-inline Minimized_map map_onto_square(const Patch &patch, const Stretch_iteration &iteration,
-                                     const Uv_coordinates &border_uv, Stretch_iteration::Workspace &workspace)
+inline Minimized_map map_onto_square(const Patch& patch, const Stretch_iteration& iteration,
+                                     const Uv_coordinates& border_uv, Stretch_iteration::Workspace& workspace)
 {
   if(has_chord_on_a_side(patch, border_uv))
     return {};
@@ -55,33 +55,68 @@ inline Minimized_map map_onto_square(const Patch &patch, const Stretch_iteration
   return map;
 }
 
+/// the stretch of the border vertices, in the order of the border loop, when the patch is mapped onto a circle of area 1;
+/// empty when it cannot be
+inline std::vector<double> circle_stretch(const Patch& patch, const Stretch_iteration& iteration)
+{
+  const Uv_coordinates border_uv = circular_border(patch.border_lengths, std::sqrt(1 / EIGEN_PI));
+  Stretch_iteration::Workspace workspace;
+  const Minimized_map map = iteration.minimize(border_uv, 1, workspace);
+  std::vector<double> sigma, result;
+  if(map.uv.rows() == 0)
+    return result;
+  stretch_energy(patch, map.uv, sigma);
+  for(int v : patch.border)
+    result.push_back(sigma[v]);
+  return result;
+}
+
+/// the distance of every border vertex, in the order of the border loop, from the nearest corner, in half sides
+inline std::vector<double> corner_distances(const Uv_coordinates& border_uv)
+{
+  std::vector<double> distances;
+  for(Eigen::Index k = 0; k < border_uv.rows();
+      ++k) { // one coordinate is 0 or 1, the other tells the place on the side
+    const double u = border_uv(k, 0), v = border_uv(k, 1);
+    distances.push_back(2 * ((std::min)(u, 1 - u) + (std::min)(v, 1 - v)));
+  }
+  return distances;
+}
+
 /// searches the corners of the square among the candidates of \p search and maps the patch for the best of them
-inline Search_outcome search_square_map(const Patch &patch, const Stretch_iteration &iteration,
-                                        const Corner_search &search, const Square_search_options &options)
+inline Search_outcome search_square_map(const Patch& patch, const Stretch_iteration& iteration,
+                                        const Corner_search& search, const Square_search_options& options)
 {
   const Border_walk walk(patch.border_lengths, options.walk);
-  const int candidates =
-      search.candidate_set() == Candidate_set::FULL ? walk.size() : number_of_quarter_candidates(walk);
-
+  const auto border_of = [&](int candidate) {
+    return square_border(walk, corners_of_candidate(walk, candidate, options.corner_rule));
+  };
   const auto make_worker = [&]() -> Candidate_evaluation::Worker {
     return [&, workspace = std::make_shared<Stretch_iteration::Workspace>()](int candidate) {
-      const Corners corners = corners_of_candidate(walk, candidate, options.corner_rule);
-      return map_onto_square(patch, iteration, square_border(walk, corners).uv, *workspace);
+      return map_onto_square(patch, iteration, border_of(candidate).uv, *workspace);
     };
   };
-  Candidate_evaluation evaluation(candidates, make_worker, options.number_of_threads, options.visitor,
+  Corner_search_problem problem;
+  problem.number_of_candidates =
+      search.candidate_set() == Candidate_set::FULL ? walk.size() : number_of_quarter_candidates(walk);
+  Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, options.number_of_threads, options.visitor,
                                   options.callback);
+  problem.stretch_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
+  problem.number_of_vertices = patch.number_of_vertices();
+  problem.number_of_faces = patch.number_of_faces();
+  problem.circle_stretch = [&] { return circle_stretch(patch, iteration); };
+  problem.corner_distances = [&](int candidate) { return corner_distances(border_of(candidate).uv); };
+
   if(options.visitor != nullptr)
-    options.visitor->start_search(candidates);
+    options.visitor->start_search(problem.number_of_candidates);
   try {
-    search({candidates, [&](const std::vector<int> &batch) { return evaluation(batch); }});
-  } catch(const Search_cancelled &) {
+    search(problem);
+  } catch(const Search_cancelled&) {
     // the best so far is delivered, and the report says so
   }
   Search_outcome outcome{evaluation.best_map(), evaluation.report()};
   if(outcome.report.best_candidate >= 0)
-    outcome.report.corners =
-        square_border(walk, corners_of_candidate(walk, outcome.report.best_candidate, options.corner_rule)).corners;
+    outcome.report.corners = border_of(outcome.report.best_candidate).corners;
   if(options.visitor != nullptr) {
     options.visitor->end_search(outcome.report);
     options.visitor->end_minimization(outcome.map.report);
@@ -90,7 +125,7 @@ inline Search_outcome search_square_map(const Patch &patch, const Stretch_iterat
 }
 
 /// maps the patch for four corners chosen by the user: positions in the border loop, counter-clockwise
-inline Search_outcome map_with_corners(const Patch &patch, const Stretch_iteration &iteration, const Corners &corners)
+inline Search_outcome map_with_corners(const Patch& patch, const Stretch_iteration& iteration, const Corners& corners)
 {
   if(!are_corners_in_order(corners, static_cast<int>(patch.border.size())))
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,

@@ -24,7 +24,7 @@ struct Triangle_stretch
 };
 
 /// twice the signed area of the uv triangle `abc`
-inline double twice_uv_area(const Uv_coordinates &uv, const std::array<int, 3> &t)
+inline double twice_uv_area(const Uv_coordinates& uv, const std::array<int, 3>& t)
 {
   const Eigen::RowVector2d a = uv.row(t[1]) - uv.row(t[0]), b = uv.row(t[2]) - uv.row(t[0]);
   return a.x() * b.y() - b.x() * a.y();
@@ -35,8 +35,8 @@ inline double twice_uv_area(const Uv_coordinates &uv, const std::array<int, 3> &
 /// With the surface edges a = (x1, 0), b = (x2, y2) and the uv edges da, db from the first corner,
 /// D Ss = a tb - b ta and D St = b sa - a sb, so D^2 (|Ss|^2 + |St|^2) = |x1 db - x2 da|^2 + y2^2 |da|^2:
 /// a sum of squares, exact for slivers where the expansion in scalar products cancels.
-inline Triangle_stretch triangle_stretch(const Flat_triangle &shape, const Uv_coordinates &uv,
-                                         const std::array<int, 3> &t)
+inline Triangle_stretch triangle_stretch(const Flat_triangle& shape, const Uv_coordinates& uv,
+                                         const std::array<int, 3>& t)
 {
   const Eigen::RowVector2d da = uv.row(t[1]) - uv.row(t[0]), db = uv.row(t[2]) - uv.row(t[0]);
   const double determinant = da.x() * db.y() - db.x() * da.y();
@@ -52,7 +52,7 @@ inline Triangle_stretch triangle_stretch(const Flat_triangle &shape, const Uv_co
 
 /// sum over the triangles of L2(T)^2 times the surface area of T; infinite when a triangle is not counter-clockwise.
 /// For a map onto the unit square it is the square of the L2 stretch, since the patch has area 1.
-inline double stretch_energy(const Patch &patch, const Uv_coordinates &uv)
+inline double stretch_energy(const Patch& patch, const Uv_coordinates& uv)
 {
   double energy = 0;
   for(int f = 0; f < patch.number_of_faces(); ++f)
@@ -62,7 +62,7 @@ inline double stretch_energy(const Patch &patch, const Uv_coordinates &uv)
 
 /// as `stretch_energy()`, and sets \p sigma (#V) to the stretch of every vertex, the mean over its incident triangles:
 /// sigma(v)^2 = sum L2(T)^2 A(T) / sum A(T)
-inline double stretch_energy(const Patch &patch, const Uv_coordinates &uv, std::vector<double> &sigma)
+inline double stretch_energy(const Patch& patch, const Uv_coordinates& uv, std::vector<double>& sigma)
 {
   sigma.assign(patch.points.size(), 0.);
   double energy = 0;

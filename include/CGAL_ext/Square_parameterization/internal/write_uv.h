@@ -17,7 +17,7 @@ namespace internal {
 
 /// writes row `k` of \p uv for `vertices[k]`, in the number type of the map, and marks the vertex as parameterized
 template <class Vertex, class VertexUVMap, class VertexParameterizedMap>
-void write_uv(const std::vector<Vertex> &vertices, const Uv_coordinates &uv, VertexUVMap uvmap,
+void write_uv(const std::vector<Vertex>& vertices, const Uv_coordinates& uv, VertexUVMap uvmap,
               VertexParameterizedMap vpmap)
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type Point_2;
@@ -30,11 +30,11 @@ void write_uv(const std::vector<Vertex> &vertices, const Uv_coordinates &uv, Ver
 
 /// reads row `k` of the result from `vertices[k]`
 template <class Vertex, class VertexUVMap>
-Uv_coordinates read_uv(const std::vector<Vertex> &vertices, VertexUVMap uvmap)
+Uv_coordinates read_uv(const std::vector<Vertex>& vertices, VertexUVMap uvmap)
 {
   Uv_coordinates uv(vertices.size(), 2);
   for(std::size_t k = 0; k < vertices.size(); ++k) {
-    const auto &p = get(uvmap, vertices[k]);
+    const auto& p = get(uvmap, vertices[k]);
     uv(k, 0) = CGAL::to_double(p.x());
     uv(k, 1) = CGAL::to_double(p.y());
   }
@@ -43,7 +43,7 @@ Uv_coordinates read_uv(const std::vector<Vertex> &vertices, VertexUVMap uvmap)
 
 /// the mesh vertices at the given vertices of a patch
 template <class Vertex>
-std::vector<Vertex> select(const std::vector<Vertex> &vertices, const std::vector<int> &selection)
+std::vector<Vertex> select(const std::vector<Vertex>& vertices, const std::vector<int>& selection)
 {
   std::vector<Vertex> selected;
   for(int v : selection)

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CORNER_SEARCH_PROBLEM_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_CORNER_SEARCH_PROBLEM_H
+
+#include <functional>
+#include <vector>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationSearches
+///
+/// the only view that a search strategy has of its problem. Candidates are 0, 1, ..., `number_of_candidates` - 1 and form
+/// a ring: the last and the first are neighbors.
+struct Corner_search_problem
+{
+  int number_of_candidates = 0; ///< at least 1
+
+  /// maps the given candidates, concurrently, and returns their stretch in the same order; infinite for a candidate
+  /// without a one-to-one map. A candidate asked for twice is mapped once.
+  std::function<std::vector<double>(const std::vector<int>&)> stretch_of;
+
+  int number_of_vertices = 1; ///< of the mesh that is mapped
+  int number_of_faces = 1;    ///< of the mesh that is mapped
+
+  /// maps the mesh onto a circle and returns the stretch of the border vertices there, one value per border vertex;
+  /// empty when that map could not be computed
+  std::function<std::vector<double>()> circle_stretch;
+
+  /// the distance of every border vertex from the nearest corner if the given candidate were mapped, in half sides: 0 at a
+  /// corner, 1 in the middle of a side. Nothing is mapped.
+  std::function<std::vector<double>(int)> corner_distances;
+};
+
+/// \ingroup PkgSquareParameterizationSearches
+///
+/// which candidates a strategy chooses from
+enum class Candidate_set
+{
+  FULL,   ///< every border vertex
+  QUARTER ///< the border vertices nearer than a quarter of the border length to its start: rotating the square by a
+          ///< right angle makes the others nearly equivalent
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_CORNER_SEARCH_PROBLEM_H

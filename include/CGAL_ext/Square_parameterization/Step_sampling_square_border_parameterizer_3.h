@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_STEP_SAMPLING_SQUARE_BORDER_PARAMETERIZER_3_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_STEP_SAMPLING_SQUARE_BORDER_PARAMETERIZER_3_H
+
+#include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/Square_border_search_parameterizer_3.h>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationBorderParameterizers
+///
+/// parameterizes the border of a disk onto the unit square by arc length, with corners found by step sampling.
+///
+/// What the border parameterizers that search have in common, and what `parameterize()` returns, is said at
+/// `Brute_force_square_border_parameterizer_3`.
+///
+/// \cgalModels `Parameterizer_3`
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
+///
+/// \sa `CGAL_ext::Step_sampling_corner_search`
+template <class TriangleMesh_>
+class Step_sampling_square_border_parameterizer_3
+  : public internal::Square_border_search_parameterizer_3<TriangleMesh_, Step_sampling_corner_search>
+{
+  typedef internal::Square_border_search_parameterizer_3<TriangleMesh_, Step_sampling_corner_search> Base;
+
+public:
+  /// constructs the parameterizer.
+  /// \param step distance between samples, in candidates; 0 for the formula of the paper
+  /// \param options options that all searches share
+  /// \param objective what is minimised when another parameterizer than `Stretch_minimizing_parameterizer_3` uses this
+  ///        border
+  explicit Step_sampling_square_border_parameterizer_3(int step = 0, Square_search_options options = {},
+                                                       Stretch_minimization objective = {})
+    : Base(Step_sampling_corner_search(step), std::move(options), std::move(objective))
+  {}
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_STEP_SAMPLING_SQUARE_BORDER_PARAMETERIZER_3_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CANDIDATE_RING_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CANDIDATE_RING_H
+
+#include <CGAL_ext/Square_parameterization/Corner_search_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the ring of candidates as a strategy explores it: what is known so far, and the best of it (ties: lowest index)
+class Candidate_ring
+{
+public:
+  explicit Candidate_ring(const Corner_search_problem& problem) : m_problem(problem) {}
+
+  int size() const { return m_problem.number_of_candidates; }
+
+  /// the candidate at any integer position of the ring
+  int at(long position) const { return static_cast<int>(((position % size()) + size()) % size()); }
+
+  bool is_known(int candidate) const { return m_stretch.count(candidate) != 0; }
+  double stretch(int candidate) const { return m_stretch.at(candidate); }
+  int best() const { return m_best; }
+
+  /// evaluates a batch of candidates together
+  void evaluate(const std::vector<int>& candidates)
+  {
+    const std::vector<double> stretch = m_problem.stretch_of(candidates);
+    for(std::size_t i = 0; i < candidates.size(); ++i) {
+      m_stretch[candidates[i]] = stretch[i];
+      if(m_best < 0 || stretch[i] < m_stretch[m_best] || (stretch[i] == m_stretch[m_best] && candidates[i] < m_best))
+        m_best = candidates[i];
+    }
+  }
+
+  /// evaluates every unknown candidate between the best one and its nearest known neighbors on both sides: what the paper
+  /// calls deep checking. When no known candidate has a map, evaluates all that are left.
+  void evaluate_around_best()
+  {
+    const bool has_map = std::isfinite(stretch(m_best));
+    std::set<int> unknown;
+    for(const int direction : {-1, 1})
+      for(int distance = 1; distance < size(); ++distance) {
+        const int candidate = at(m_best + direction * distance);
+        if(!is_known(candidate))
+          unknown.insert(candidate);
+        else if(has_map)
+          break;
+      }
+    evaluate({unknown.begin(), unknown.end()});
+  }
+
+private:
+  const Corner_search_problem& m_problem;
+  std::map<int, double> m_stretch;
+  int m_best = -1;
+};
+
+/// the step of the paper: sqrt(V m / F), at least 2
+inline int sampling_step(const Corner_search_problem& problem)
+{
+  const double squared_step =
+      double(problem.number_of_vertices) * problem.number_of_candidates / problem.number_of_faces;
+  return (std::max)(2, static_cast<int>(std::sqrt(squared_step)));
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CANDIDATE_RING_H

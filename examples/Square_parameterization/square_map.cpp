@@ -45,16 +45,18 @@ private:
   double m_best = std::numeric_limits<double>::infinity();
 };
 
-/// the corners as vertices of the conditioned mesh
+/// the corners, given as vertices of the file, as vertices of the mesh; they must be on its border
 std::array<std::size_t, 4> conditioned_corners(const std::array<std::size_t, 4>& corners,
-                                               const CGAL_ext::internal::Conditioning_report& conditioning)
+                                               const CGAL_ext::internal::Conditioning_report& conditioning,
+                                               const Mesh& mesh)
 {
+  using CGAL_ext::internal::Conditioning_report;
   std::array<std::size_t, 4> result{};
   for(int k = 0; k < 4; ++k) {
-    if(corners[k] >= conditioning.new_index.size() ||
-       conditioning.new_index[corners[k]] == CGAL_ext::internal::Conditioning_report::DROPPED)
+    const std::vector<std::size_t>& new_index = conditioning.new_index;
+    result[k] = corners[k] < new_index.size() ? new_index[corners[k]] : Conditioning_report::DROPPED;
+    if(result[k] == Conditioning_report::DROPPED || !mesh.is_border(Mesh::Vertex_index(result[k])))
       throw Usage_error("corner vertex " + std::to_string(corners[k]) + " is not on the border");
-    result[k] = conditioning.new_index[corners[k]];
   }
   return result;
 }
@@ -82,9 +84,9 @@ Exit_status run(Command_line line)
 
   const auto condition_start = Clock::now();
   const auto conditioning = CGAL_ext::internal::condition_soup(soup);
-  if(line.corners)
-    line.options.corners = conditioned_corners(*line.corners, conditioning);
   Mesh mesh = make_mesh(soup);
+  if(line.corners)
+    line.options.corners = conditioned_corners(*line.corners, conditioning, mesh);
   seconds.condition = seconds_since(condition_start);
 
   Progress progress;
@@ -96,7 +98,7 @@ Exit_status run(Command_line line)
   seconds.condition += result.condition_seconds;
   seconds.search = result.search_seconds;
   seconds.final = seconds_since(map_start) - result.condition_seconds - result.search_seconds;
-  if(result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
+  if(line.corners && result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
     throw Usage_error(result.message);
   if(result.status != CGAL::Surface_mesh_parameterization::OK) {
     std::cerr << "square_map: " << result.message << '\n';
@@ -112,7 +114,11 @@ Exit_status run(Command_line line)
   seconds.total = seconds_since(start);
   if(!line.json.empty()) {
     const auto json = make_report(line, input_vertices, input_faces, conditioning, mesh, result, seconds);
-    (report ? static_cast<std::ostream&>(report->stream()) : std::cout) << json.dump(2) << '\n';
+    std::ostream& stream = report ? static_cast<std::ostream&>(report->stream()) : std::cout;
+    // a file name need not be UTF-8
+    stream << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
+    if(!stream)
+      throw Output_error("cannot write the report to '" + line.json + "'");
   }
   if(report)
     report->close();
@@ -155,7 +161,9 @@ int main(int argc, char** argv)
     return fail(error, BAD_FILE);
   } catch(const CGAL_ext::internal::Unmappable& error) {
     return fail(error, UNMAPPABLE);
-  } catch(const std::bad_alloc& error) {
+  } catch(const std::bad_alloc&) {
     return fail(std::runtime_error("there is not enough memory for this surface"), UNMAPPABLE);
+  } catch(const std::exception& error) {
+    return fail(error, UNMAPPABLE);
   }
 }

@@ -39,11 +39,16 @@ public:
   }
 
 private:
-  /// goes on in each direction until the stretch no longer falls there, or the ring is closed
+  /// goes on in each direction until the stretch no longer falls there, or the ring is closed. A side where the worse
+  /// prediction lies within the first stride is not walked: the stretch does not fall there.
   static void walk_both_ways(internal::Candidate_ring& ring, int interval)
   {
     const int start = ring.best();
     bool is_walking[2] = {true, true};
+    for(int distance = 1; distance < interval; ++distance) // the other prediction may bound a side already
+      for(int side = 0; side < 2; ++side)
+        if(ring.is_known(position(ring, start, distance, side, 1)))
+          is_walking[side] = false;
     for(int steps = 1; (is_walking[0] || is_walking[1]) && 2 * steps * interval < ring.size() + interval; ++steps) {
       std::vector<int> batch;
       for(int side = 0; side < 2; ++side)

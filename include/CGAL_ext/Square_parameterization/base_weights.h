@@ -10,7 +10,7 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives every edge the weight 1 (Tutte 1963). Symmetric and positive: one-to-one whatever the mesh.
+/// gives every edge the weight 1 (Tutte \cgalCite{t-hdg-63}). Symmetric and positive: one-to-one whatever the mesh.
 /// \cgalModels `BaseWeights`
 struct Uniform_weights
 {
@@ -87,8 +87,8 @@ private:
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives every edge half the sum of the cotangents of its two opposite angles (Eck et al. 1995). Symmetric, but negative
-/// where the mesh is not Delaunay: a one-to-one map is *not* guaranteed.
+/// gives every edge half the sum of the cotangents of its two opposite angles (Eck et al.\ \cgalCite{cgal:eddhls-maam-95}).
+/// Symmetric, but negative where the mesh is not Delaunay: a one-to-one map is *not* guaranteed.
 /// \cgalModels `BaseWeights`
 struct Harmonic_weights
 {
@@ -97,7 +97,8 @@ struct Harmonic_weights
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives the mean value coordinates of Floater 2003. Positive, not symmetric: one-to-one whatever the mesh.
+/// gives the mean value coordinates of Floater \cgalCite{cgal:f-mvc-03}. Positive, not symmetric: one-to-one whatever the
+/// mesh.
 /// \cgalModels `BaseWeights`
 struct Mean_value_weights
 {
@@ -123,8 +124,8 @@ struct Symmetric_mean_value_weights
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives the shape-preserving weights of Floater 1997, in one of two averages. Positive, not symmetric: one-to-one
-/// whatever the mesh.
+/// gives the shape-preserving weights of Floater \cgalCite{f-pssts-97}, in one of two averages. Positive, not symmetric:
+/// one-to-one whatever the mesh.
 /// \cgalModels `BaseWeights`
 class Shape_preserving_weights
 {

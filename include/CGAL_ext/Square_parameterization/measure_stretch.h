@@ -18,8 +18,8 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationMetric
 ///
-/// the stretch of a map from the plane to a triangle mesh (Sander et al. \cgalCite{cgal:ssgh-tmpm-01}), normalised so that
-/// an isometry up to scale has stretch 1. All stretches are dimensionless and infinite when a uv triangle is not
+/// the stretch of a map from the plane to a triangle mesh (Sander et al.\ \cgalCite{cgal:ssgh-tmpm-01}), normalised so
+/// that an isometry up to scale has stretch 1. All stretches are dimensionless and infinite when a uv triangle is not
 /// counter-clockwise. (CGAL's `compute_L2_stretch()` is another quantity, a norm of area ratios.)
 struct Stretch_measures
 {
@@ -28,7 +28,7 @@ struct Stretch_measures
   double symmetric_dirichlet = 0; ///< area mean of (s1^2 + s2^2 + 1/s1^2 + 1/s2^2) / 4, s the singular values; least 1
   std::size_t flipped_faces = 0;  ///< number of uv triangles that are clockwise or flat, by exact arithmetic
   double uv_area = 0;             ///< sum of the signed areas of the uv triangles
-  std::vector<double> face_l2;    ///< #F, in the order of `faces(mesh)`
+  std::vector<double> face_l2;    ///< one per face, in the order of `faces(mesh)`
 };
 
 namespace internal {
@@ -78,9 +78,13 @@ inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
 ///         value type.
 /// \tparam VertexStretchMap must be a model of `WritablePropertyMap` with the vertex descriptor as key type and `double` as
 ///         value type, or null.
+/// \param mesh the surface
+/// \param uvmap the position of every vertex in the plane
+/// \param vpm the position of every vertex in space
 /// \param vertex_stretch receives the stretch of every vertex with a face: the root of the area mean of the squared
 ///        stretch of its incident faces, border vertices too
 /// \pre all faces are triangles
+///
 /// Complexity: linear. Coordinates are read as `double`.
 template <class TriangleMesh, class VertexUVMap, class VertexPointMap, class VertexStretchMap>
 Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap, VertexPointMap vpm,

@@ -14,6 +14,9 @@
 
 #include <boost/program_options.hpp>
 
+#include <tbb/info.h>
+
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -61,7 +64,7 @@ const Value& named(const std::map<std::string, Value>& values, const std::string
 /// the tuning numbers of the strategies; 0 stands for the formula of the paper
 struct Tuning
 {
-  unsigned int step = 0, interval = 0, seed = 0;
+  int step = 0, interval = 0, seed = 0;
 };
 
 inline std::map<std::string, CGAL_ext::Corner_search> strategies(const Tuning& tuning)
@@ -69,12 +72,12 @@ inline std::map<std::string, CGAL_ext::Corner_search> strategies(const Tuning& t
   return {{"none", CGAL_ext::First_candidate_corner_search()},
           {"brute-force", CGAL_ext::Brute_force_corner_search()},
           {"quarter-brute-force", CGAL_ext::Quarter_brute_force_corner_search()},
-          {"particle-swarm", CGAL_ext::Particle_swarm_corner_search(0, 20, 3, tuning.seed)},
-          {"step-sampling", CGAL_ext::Step_sampling_corner_search(static_cast<int>(tuning.step))},
+          {"particle-swarm", CGAL_ext::Particle_swarm_corner_search(0, 20, 3, static_cast<unsigned int>(tuning.seed))},
+          {"step-sampling", CGAL_ext::Step_sampling_corner_search(tuning.step)},
           {"single-highest", CGAL_ext::Single_highest_corner_search()},
           {"many-high", CGAL_ext::Many_high_corner_search()},
           {"better-of-two", CGAL_ext::Better_of_two_corner_search()},
-          {"hybrid", CGAL_ext::Hybrid_corner_search(static_cast<int>(tuning.interval))}};
+          {"hybrid", CGAL_ext::Hybrid_corner_search(tuning.interval)}};
 }
 
 typedef std::function<CGAL_ext::internal::Edge_weights(const CGAL_ext::internal::Patch&)> Weights;
@@ -145,7 +148,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   Command_line line;
   std::string weights_name, rule, walk, preset, corners, border;
   double eta = 0;
-  unsigned int patience = 0, threads = 0;
+  int patience = 0, threads = 0;
   Tuning tuning;
   po::options_description visible("options");
   auto add = visible.add_options();
@@ -201,38 +204,43 @@ inline Command_line parse_command_line(int argc, char** argv)
     return line;
   if(line.input.empty())
     throw Usage_error("no input file is given");
-  for(const char* number : {"threads", "patience", "step", "interval", "seed"}) // a negative number would wrap round
-    if(given.count(number) != 0 && given[number].as<unsigned int>() > 1000000)
+  const auto is_given = [&given](const char* option) { return given.count(option) != 0; };
+  for(const char* number : {"threads", "patience", "step", "interval", "seed"})
+    if(is_given(number) && (given[number].as<int>() < 0 || given[number].as<int>() > 1000000))
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
+  for(const char* file : {"output", "json"})
+    if(is_given(file) && given[file].as<std::string>().empty())
+      throw Usage_error(std::string("--") + file + " needs the name of a file");
 
   CGAL_ext::Square_map_options& options = line.options;
-  if(!preset.empty()) {
+  if(is_given("preset")) {
     named<bool>({{"paper", true}}, "preset", preset);
     apply_paper_preset(options);
   }
   named<bool>({{"iterative", true}}, "minimizer", line.minimizer);
-  if(!border.empty())
+  if(is_given("border"))
     named<bool>({{"fixed", true}}, "border", border);
   options.search = named(strategies(tuning), "strategy", line.strategy);
-  if(!weights_name.empty())
+  if(is_given("weights"))
     options.minimization.weights = named(weights(), "weights", weights_name);
   using CGAL_ext::Corner_rule;
   using CGAL_ext::Walk;
-  if(!rule.empty())
+  if(is_given("corner-rule"))
     options.search_options.corner_rule =
         named<Corner_rule>({{"author", Corner_rule::AUTHOR}, {"nearest", Corner_rule::NEAREST}}, "corner-rule", rule);
-  if(!walk.empty())
+  if(is_given("walk"))
     options.search_options.walk =
         named<Walk>({{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", walk);
-  if(given.count("eta") != 0) {
+  if(is_given("eta")) {
     if(!(eta > 0 && eta <= 1))
       throw Usage_error("--eta must be above 0 and at most 1");
     options.minimization.eta = eta;
   }
-  if(given.count("patience") != 0)
+  if(is_given("patience"))
     options.minimization.patience = patience;
-  options.search_options.number_of_threads = threads;
-  if(!corners.empty()) {
+  // more threads than cores would not run, and TBB would complain
+  options.search_options.number_of_threads = std::min(threads, tbb::info::default_concurrency());
+  if(is_given("corners")) {
     line.corners = parse_corners(corners);
     line.strategy = "none";
   }

@@ -4,6 +4,8 @@
 #ifndef SQUARE_MAP_OUTPUT_FILE_H
 #define SQUARE_MAP_OUTPUT_FILE_H
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -35,7 +37,7 @@ public:
     m_is_direct = fs::exists(m_target, error) && !fs::is_regular_file(m_target, error);
     m_written = m_target;
     if(!m_is_direct)
-      m_written += ".part";
+      m_written += "." + std::to_string(getpid()) + ".part";
     m_stream.open(m_written);
     if(!m_stream)
       throw Output_error("cannot write '" + path + "'");
@@ -48,7 +50,7 @@ public:
   ~Output_file()
   {
     std::error_code error;
-    if(!m_is_committed && !m_is_direct && m_stream.is_open()) {
+    if(!m_is_committed && !m_is_direct) {
       m_stream.close();
       std::filesystem::remove(m_written, error);
     }
@@ -60,11 +62,8 @@ public:
   void close()
   {
     m_stream.close();
-    if(!m_stream) {
-      std::error_code error;
-      std::filesystem::remove(m_written, error);
+    if(!m_stream)
       throw Output_error("cannot write '" + m_name + "': the disk may be full");
-    }
   }
 
   /// lets the file take its place; call `close()` first

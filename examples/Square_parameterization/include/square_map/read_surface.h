@@ -6,6 +6,8 @@
 
 #include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
 
+#include "Memory_limit.h"
+
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -26,6 +28,9 @@ struct Malformed_file : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+// what a reader may allocate, in bytes; real files need a third of it
+constexpr std::size_t MEMORY_TO_START_READING = 1 << 28, MEMORY_PER_BYTE = 64;
+
 /// reads points and polygons through CGAL's readers (OFF, OBJ, PLY, STL by extension)
 inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
 {
@@ -38,9 +43,10 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
   CGAL_ext::internal::Surface_soup soup;
   bool is_read = false;
   try {
+    const Memory_limit limit(MEMORY_TO_START_READING + MEMORY_PER_BYTE * std::filesystem::file_size(path));
     is_read = CGAL::IO::read_polygon_soup(path, points, soup.faces, CGAL::parameters::verbose(false));
   } catch(const std::exception&) {
-    // a header that promises more than memory holds
+    // among them std::bad_alloc, for a header that promises more than the file holds
   }
   if(!is_read || (points.empty() && soup.faces.empty()))
     throw Malformed_file("cannot read '" + path + "': it is not a complete OFF, OBJ, PLY or STL file");
@@ -49,18 +55,22 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
   return soup;
 }
 
-/// refuses coordinates that are not finite and faces whose vertices do not exist
+/// refuses coordinates that are not finite and faces that have too few vertices or name one that does not exist
 inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, const std::string& path)
 {
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(!soup.points[v].allFinite())
       throw Malformed_file("'" + path + "' is malformed: vertex " + std::to_string(v) +
                            " has a coordinate that is not finite");
-  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    if(soup.faces[f].size() < 3)
+      throw Malformed_file("'" + path + "' is malformed: face " + std::to_string(f) + " has " +
+                           std::to_string(soup.faces[f].size()) + " vertices");
     for(std::size_t v : soup.faces[f])
       if(v >= soup.points.size())
         throw Malformed_file("'" + path + "' is malformed: face " + std::to_string(f) + " names vertex " +
                              std::to_string(v) + " of " + std::to_string(soup.points.size()));
+  }
 }
 
 /// the mesh of a conditioned soup; vertices and faces keep their order

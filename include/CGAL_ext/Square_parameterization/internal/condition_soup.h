@@ -95,16 +95,21 @@ void for_each_edge(const std::vector<Soup_side>& sides, Visit visit)
 class Complaint
 {
 public:
-  /// adds `count` things of which `places` are the first few
-  void add(std::size_t count, const std::string& what, const std::vector<std::string>& places = {})
+  /// adds a sentence
+  void say(const std::string& text) { m_text += (m_text.empty() ? "" : "; ") + text; }
+
+  /// adds `count` things, none for 0, of which `places` are the first few
+  void add(std::size_t count, const std::string& singular, const std::string& plural,
+           const std::vector<std::string>& places = {})
   {
     if(count == 0)
       return;
-    m_text += (m_text.empty() ? "" : "; ") + std::to_string(count) + " " + what;
+    std::string text = std::to_string(count) + " " + (count == 1 ? singular : plural);
     for(std::size_t i = 0; i < places.size(); ++i)
-      m_text += (i == 0 ? " (" : ", ") + places[i];
+      text += (i == 0 ? " (" : ", ") + places[i];
     if(!places.empty())
-      m_text += count > places.size() ? ", ...)" : ")";
+      text += count > places.size() ? ", ...)" : ")";
+    say(text);
   }
 
   void throw_if_any(CGAL::Surface_mesh_parameterization::Error_code code) const
@@ -135,8 +140,8 @@ inline void check_triangles_and_edges(const Surface_soup& soup)
     if(std::set<std::size_t>(face.begin(), face.end()).size() < face.size() && ++number_of_repeating <= NAMED_PLACES)
       repeating.push_back("face " + std::to_string(f));
   }
-  complaint.add(number_of_polygons, "non-triangular faces", polygons);
-  complaint.add(number_of_repeating, "faces that repeat a vertex", repeating);
+  complaint.add(number_of_polygons, "non-triangular face", "non-triangular faces", polygons);
+  complaint.add(number_of_repeating, "face that repeats a vertex", "faces that repeat a vertex", repeating);
   complaint.throw_if_any(SMP::ERROR_NON_TRIANGULAR_MESH);
 
   std::size_t number_of_edges = 0;
@@ -145,7 +150,7 @@ inline void check_triangles_and_edges(const Surface_soup& soup)
     if(end - begin > 2 && ++number_of_edges <= NAMED_PLACES)
       edges.push_back("vertices " + std::to_string(begin->low) + " and " + std::to_string(begin->high));
   });
-  complaint.add(number_of_edges, "non-manifold edges", edges);
+  complaint.add(number_of_edges, "non-manifold edge", "non-manifold edges", edges);
   complaint.throw_if_any(SMP::ERROR_NO_TOPOLOGICAL_DISC);
 }
 
@@ -239,15 +244,18 @@ inline void check_disk(const Surface_soup& soup)
       pinched_places.push_back("vertex " + std::to_string(v));
   }
   Complaint complaint;
-  complaint.add(pinched, "non-manifold vertices", pinched_places);
-  complaint.add(number_of_components > 1 ? number_of_components : 0, "connected components");
+  complaint.add(pinched, "non-manifold vertex", "non-manifold vertices", pinched_places);
+  if(number_of_components > 1)
+    complaint.say(std::to_string(number_of_components) + " connected components");
   if(pinched == 0 && number_of_components == 1) {
     const long euler = static_cast<long>(used + F) - static_cast<long>(E);
-    complaint.add(borders > 1 ? borders : 0, "border loops");
     if(borders == 0)
-      complaint.add(1, "closed surface without border");
-    complaint.add(static_cast<std::size_t>(2 - static_cast<long>(borders) - euler) / 2,
-                  "handles (the genus of the surface)");
+      complaint.say("it is closed: it has no border");
+    if(borders > 1)
+      complaint.say(std::to_string(borders) + " border loops");
+    const long genus = (2 - static_cast<long>(borders) - euler) / 2;
+    if(genus > 0)
+      complaint.say("genus " + std::to_string(genus));
   }
   complaint.throw_if_any(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC);
 }

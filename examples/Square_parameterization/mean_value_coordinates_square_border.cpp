@@ -1,0 +1,47 @@
+// examples/Square_parameterization/mean_value_coordinates_square_border.cpp
+//
+// A parameterizer of CGAL with a border of this package: the corners are those of the least stretched map, the interior
+// is CGAL's.
+
+#include "include/Print_search.h"
+
+#include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/error_message.h>
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL_ext::Hybrid_square_border_parameterizer_3<Mesh> Border;
+typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border> Parameterizer;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/mushroom.off"), mesh) ||
+     CGAL::is_closed(mesh)) {
+    std::cerr << "cannot read a surface with border\n";
+    return EXIT_FAILURE;
+  }
+  const auto bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+
+  Print_search visitor;
+  CGAL_ext::Square_search_options options;
+  options.visitor = &visitor;
+  const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(Border(0, options)), bhd, uvmap);
+  if(status != SMP::OK) {
+    std::cerr << CGAL_ext::error_message(status) << '\n';
+    return EXIT_FAILURE;
+  }
+  const CGAL_ext::Stretch_measures measures = CGAL_ext::measure_stretch(mesh, uvmap);
+  std::cout << "mean value coordinates: L2 stretch " << measures.l2 << ", " << measures.flipped_faces << " flips\n";
+  return EXIT_SUCCESS;
+}

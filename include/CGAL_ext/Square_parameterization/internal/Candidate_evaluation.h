@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -44,6 +45,7 @@ public:
                        unsigned int number_of_threads, Search_visitor* visitor, std::function<bool(double)> callback)
     : m_number_of_candidates(number_of_candidates),
       m_workers(make_worker),
+      m_thread_limit(tbb::global_control::max_allowed_parallelism, thread_limit(number_of_threads)),
       m_arena(number_of_threads == 0 ? static_cast<int>(tbb::task_arena::automatic)
                                      : static_cast<int>(number_of_threads)),
       m_visitor(visitor),
@@ -98,6 +100,13 @@ public:
   }
 
 private:
+  /// TBB has as many threads as cores unless it is allowed more
+  static std::size_t thread_limit(unsigned int number_of_threads)
+  {
+    return (std::max)(std::size_t(number_of_threads),
+                      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  }
+
   bool may_continue()
   {
     if(m_is_cancelled)
@@ -127,6 +136,7 @@ private:
 
   const int m_number_of_candidates;
   tbb::enumerable_thread_specific<Worker> m_workers;
+  tbb::global_control m_thread_limit;
   tbb::task_arena m_arena;
   Search_visitor* m_visitor;
   std::function<bool(double)> m_callback;

@@ -4,28 +4,17 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CONDITION_SOUP_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CONDITION_SOUP_H
 
+#include <CGAL_ext/Square_parameterization/internal/Surface_soup.h>
 #include <CGAL_ext/Square_parameterization/internal/Unmappable.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <array>
-#include <numeric>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// a surface as a file gives it: points and polygons, in no particular state
-struct Surface_soup
-{
-  std::vector<Eigen::Vector3d> points;
-  std::vector<std::vector<std::size_t>> faces;
-};
 
 /// what `condition_soup()` changed
 struct Conditioning_report
@@ -36,60 +25,6 @@ struct Conditioning_report
 
   static constexpr std::size_t DROPPED = static_cast<std::size_t>(-1);
 };
-
-/// disjoint sets of 0, 1, ..., n - 1
-class Disjoint_sets
-{
-public:
-  explicit Disjoint_sets(std::size_t n) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), 0); }
-
-  std::size_t find(std::size_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-
-  void unite(std::size_t i, std::size_t j) { m_parent[find(i)] = find(j); }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
-
-/// a side of a triangle: `corner` begins it, in the orientation of the face
-struct Soup_side
-{
-  std::size_t low, high, face;
-  int corner;
-};
-
-/// the sides of all triangles, those of one edge together
-inline std::vector<Soup_side> sides_by_edge(const std::vector<std::vector<std::size_t>>& faces)
-{
-  std::vector<Soup_side> sides;
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    for(int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % 3]);
-      sides.push_back({low, high, f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Soup_side& a, const Soup_side& b) {
-    return std::tie(a.low, a.high, a.face, a.corner) < std::tie(b.low, b.high, b.face, b.corner);
-  });
-  return sides;
-}
-
-/// calls `visit(begin, end)` with the sides of each edge
-template <class Visit>
-void for_each_edge(const std::vector<Soup_side>& sides, Visit visit)
-{
-  for(auto begin = sides.begin(); begin != sides.end();) {
-    const auto end = std::find_if(begin, sides.end(), [begin](const Soup_side& side) {
-      return side.low != begin->low || side.high != begin->high;
-    });
-    visit(begin, end);
-    begin = end;
-  }
-}
 
 /// gathers what is wrong with a surface into one sentence that names numbers and first places
 class Complaint

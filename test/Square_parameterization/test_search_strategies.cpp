@@ -1,0 +1,301 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The strategies of the paper as pure decisions over arrays of numbers.
+
+#include "search_curve.h"
+#include "test_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
+#include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
+
+#include <catch2/catch.hpp>
+
+#include <set>
+#include <string>
+
+using namespace CGAL_ext;
+
+namespace {
+
+/// one valley at `bottom` on the ring of n candidates, with strictly rising sides
+Stretch_curve valley(int n, int bottom)
+{
+  Stretch_curve curve;
+  for(int k = 0; k < n; ++k) {
+    const int distance = std::abs(k - bottom);
+    curve.push_back(1 + 0.01 * (std::min)(distance, n - distance));
+  }
+  return curve;
+}
+
+std::set<int> evaluated(const Search_report& report)
+{
+  std::set<int> candidates;
+  for(const auto& sample : report.curve)
+    candidates.insert(sample.candidate);
+  return candidates;
+}
+
+/// a border of as many vertices as candidates; candidate j puts vertex j onto a corner, and vertices far from j (in
+/// index) far from it. `circle_stretch` is given.
+Search_conditions circle_conditions(int n, std::vector<double> circle_stretch)
+{
+  Search_conditions conditions;
+  conditions.circle_stretch = std::move(circle_stretch);
+  conditions.corner_distances = [n](int candidate) {
+    std::vector<double> distances;
+    for(int v = 0; v < n; ++v) {
+      const int gap = std::abs(v - candidate);
+      distances.push_back(2. * (std::min)(gap, n - gap) / n);
+    }
+    return distances;
+  };
+  return conditions;
+}
+
+/// a peak of stretch at border vertex `peak`
+Search_conditions peak_at(int n, int peak)
+{
+  std::vector<double> stretch(n, 1.);
+  stretch[peak] = 3;
+  return circle_conditions(n, stretch);
+}
+
+std::vector<std::pair<std::string, Corner_search>> all_strategies()
+{
+  return {{"step", Step_sampling_corner_search()},
+          {"step 1", Step_sampling_corner_search(1)},
+          {"step 1000", Step_sampling_corner_search(1000)},
+          {"swarm", Particle_swarm_corner_search()},
+          {"one particle", Particle_swarm_corner_search(1)},
+          {"single", Single_highest_corner_search()},
+          {"many", Many_high_corner_search()},
+          {"better", Better_of_two_corner_search()},
+          {"hybrid", Hybrid_corner_search()},
+          {"hybrid 1", Hybrid_corner_search(1)},
+          {"hybrid 1000", Hybrid_corner_search(1000)}};
+}
+
+} // namespace
+
+TEST_CASE("the step of the paper")
+{
+  // table 1 and 4 of the paper: vertices, faces, candidates, step
+  const int models[][4] = {{863, 1548, 45, 5},     {6885, 13164, 153, 8},  {38658, 75618, 440, 14},
+                           {35073, 69465, 166, 9}, {35068, 69662, 108, 7}, {174296, 345952, 655, 18}};
+  for(const auto& [vertices, faces, candidates, step] : models) {
+    Corner_search_problem problem;
+    problem.number_of_vertices = vertices;
+    problem.number_of_faces = faces;
+    problem.number_of_candidates = candidates;
+    CHECK(internal::sampling_step(problem) == step);
+  }
+  Corner_search_problem tiny;
+  tiny.number_of_candidates = 1;
+  CHECK(internal::sampling_step(tiny) == 2);
+}
+
+TEST_CASE("step sampling evaluates the samples, then all between the best and its neighbors")
+{
+  const Search_report report = search_curve(valley(20, 9), Step_sampling_corner_search(4));
+  CHECK(report.best_candidate == 9);
+  CHECK(evaluated(report) == std::set<int>{0, 4, 8, 12, 16, 5, 6, 7, 9, 10, 11});
+}
+
+TEST_CASE("step sampling looks across the ends of the ring")
+{
+  const Search_report low = search_curve(valley(20, 19), Step_sampling_corner_search(4)); // best sample is 0
+  CHECK(low.best_candidate == 19);
+  CHECK(evaluated(low) == std::set<int>{0, 4, 8, 12, 16, 1, 2, 3, 17, 18, 19});
+  const Search_report high = search_curve(valley(20, 18), Step_sampling_corner_search(4)); // best sample is 16
+  CHECK(high.best_candidate == 18);
+}
+
+TEST_CASE("step sampling finds the bottom of every valley, with the evaluations of the formula at most")
+{
+  for(int n : {1, 2, 3, 4, 5, 16, 45, 153})
+    for(int step : {2, 3, 5, 8})
+      for(int bottom = 0; bottom < n; ++bottom) {
+        const Search_report report = search_curve(valley(n, bottom), Step_sampling_corner_search(step));
+        CHECK(report.best_candidate == bottom);
+        CHECK(static_cast<int>(report.evaluations) <= (n + step - 1) / step + 2 * (step - 1));
+      }
+}
+
+TEST_CASE("the evaluations of the paper are not exceeded on its sizes")
+{
+  // m, step, evaluations of step sampling and of hybrid, table 1 and 2 of the paper
+  const int models[][4] = {{45, 5, 18, 10}, {153, 8, 35, 18}, {108, 7, 29, 14}, {655, 18, 72, 36}};
+  for(const auto& [m, step, sampling, hybrid] : models) {
+    const int bottom = m / 2 + 1;
+    CHECK(static_cast<int>(search_curve(valley(m, bottom), Step_sampling_corner_search(step)).evaluations) <= sampling);
+    const Search_report report = search_curve(valley(m, bottom), Hybrid_corner_search(step - 1), peak_at(m, bottom));
+    CHECK(report.best_candidate == bottom);
+    CHECK(static_cast<int>(report.evaluations) <= hybrid);
+  }
+}
+
+TEST_CASE("hybrid walks downhill from the prediction, also across the ends, and finds the bottom of a valley")
+{
+  const int n = 40;
+  for(int interval : {1, 2, 3, 5})
+    for(int start = 0; start < n; start += 3)
+      for(int bottom = 0; bottom < n; ++bottom) {
+        INFO("interval " << interval << ", start " << start << ", bottom " << bottom);
+        CHECK(search_curve(valley(n, bottom), Hybrid_corner_search(interval), peak_at(n, start)).best_candidate ==
+              bottom);
+      }
+}
+
+TEST_CASE("hybrid evaluates both ways together and stops where the stretch rises")
+{
+  std::vector<std::set<int>> batches;
+  Corner_search_problem problem;
+  const Stretch_curve curve = valley(30, 14);
+  const Search_conditions conditions = peak_at(30, 12);
+  problem.number_of_candidates = 30;
+  problem.circle_stretch = [&] { return conditions.circle_stretch; };
+  problem.corner_distances = conditions.corner_distances;
+  problem.stretch_of = [&](const std::vector<int>& batch) {
+    batches.emplace_back(batch.begin(), batch.end());
+    std::vector<double> stretch;
+    for(int candidate : batch)
+      stretch.push_back(curve[candidate]);
+    return stretch;
+  };
+  Hybrid_corner_search(3)(problem);
+  REQUIRE(batches.size() == 4);
+  CHECK(batches[0] == std::set<int>{12});    // both predictions agree
+  CHECK(batches[1] == std::set<int>{9, 15}); // left rises, right falls
+  CHECK(batches[2] == std::set<int>{18});    // right rises
+  CHECK(batches[3] == std::set<int>{13, 14, 16, 17});
+}
+
+TEST_CASE("single highest and many high predict what their definitions say")
+{
+  const int n = 24;
+  CHECK(search_curve(valley(n, 0), Single_highest_corner_search(), peak_at(n, 17)).best_candidate == 17);
+  CHECK(search_curve(valley(n, 0), Many_high_corner_search(), peak_at(n, 17)).best_candidate == 17);
+  // one sharp peak at 3, a broad one of more weight around 15: the two predictions part
+  std::vector<double> stretch(n, 1.);
+  stretch[3] = 4;
+  for(int v = 13; v <= 17; ++v)
+    stretch[v] = 3.5;
+  const Search_conditions two_peaks = circle_conditions(n, stretch);
+  CHECK(search_curve(valley(n, 0), Single_highest_corner_search(), two_peaks).best_candidate == 3);
+  CHECK(search_curve(valley(n, 0), Many_high_corner_search(), two_peaks).best_candidate == 15);
+  const Search_report better = search_curve(valley(n, 14), Better_of_two_corner_search(), two_peaks);
+  CHECK(better.best_candidate == 15);
+  CHECK(better.evaluations == 2);
+}
+
+TEST_CASE("the predictions fall back to the first candidate when there is no circular map")
+{
+  for(const Corner_search& search :
+      {Corner_search(Single_highest_corner_search()), Corner_search(Many_high_corner_search()),
+       Corner_search(Better_of_two_corner_search())}) {
+    const Search_report report = search_curve(valley(9, 4), search);
+    CHECK(report.best_candidate == 0);
+    CHECK(report.evaluations == 1);
+  }
+}
+
+TEST_CASE("a swarm is the same for a seed, differs between seeds, and stays within its bound")
+{
+  Random_numbers random(5);
+  Stretch_curve noise;
+  for(int k = 0; k < 200; ++k)
+    noise.push_back(random(1, 2));
+  const auto run = [&](unsigned int seed) {
+    return evaluated(search_curve(noise, Particle_swarm_corner_search(8, 10, 10, seed)));
+  };
+  CHECK(run(1) == run(1));
+  CHECK(run(1) != run(2));
+  CHECK(run(1).size() <= 8 * 11);
+  CHECK(evaluated(search_curve(noise, Particle_swarm_corner_search(5, 0, 1, 0))).size() == 5); // never moves
+}
+
+TEST_CASE("a swarm finds the bottom of a wide valley")
+{
+  for(unsigned int seed = 0; seed < 20; ++seed)
+    CHECK(search_curve(valley(100, 37), Particle_swarm_corner_search(12, 40, 10, seed)).best_stretch <= 1.02);
+}
+
+TEST_CASE("every strategy ends on every curve, within the number of candidates, with the best it has seen")
+{
+  Random_numbers random(11);
+  for(int n : {1, 2, 3, 7, 31}) {
+    Stretch_curve plateau(n, 1.5), noise, bimodal, gaps;
+    for(int k = 0; k < n; ++k) {
+      noise.push_back(random(1, 2));
+      bimodal.push_back(1.5 + 0.3 * std::cos(4 * EIGEN_PI * k / n) + 0.01 * k);
+      gaps.push_back(k % 3 == 1 ? 1 + 0.01 * k : INFEASIBLE);
+    }
+    for(const Stretch_curve& curve : {plateau, noise, bimodal, gaps, Stretch_curve(n, INFEASIBLE)})
+      for(const auto& [name, search] : all_strategies()) {
+        INFO(name << " on " << n << " candidates");
+        const Search_conditions conditions = peak_at(n, n / 2);
+        const Search_report report = search_curve(curve, search, conditions);
+        CHECK(report.evaluations >= 1);
+        CHECK(static_cast<int>(report.evaluations) <= n);
+        double least = INFEASIBLE;
+        for(const auto& sample : report.curve) {
+          CHECK(sample.stretch == curve[sample.candidate]);
+          least = (std::min)(least, sample.stretch);
+        }
+        CHECK(report.best_stretch == least);
+      }
+  }
+}
+
+TEST_CASE("step sampling and hybrid look everywhere when no sample has a map")
+{
+  Stretch_curve curve(30, INFEASIBLE);
+  curve[7] = 1.2;
+  CHECK(search_curve(curve, Step_sampling_corner_search(5)).best_candidate == 7);
+  CHECK(search_curve(curve, Hybrid_corner_search(5), peak_at(30, 20)).best_candidate == 7);
+}
+
+TEST_CASE("every strategy gives the same answer for any number of threads and for repeated runs")
+{
+  Random_numbers random(3);
+  Stretch_curve noise;
+  for(int k = 0; k < 60; ++k)
+    noise.push_back(1 + 0.1 * random.below(8)); // ties
+  for(const auto& [name, search] : all_strategies()) {
+    INFO(name);
+    Search_conditions conditions = peak_at(60, 40);
+    const Search_report alone = search_curve(noise, search, conditions);
+    for(unsigned int threads : {1u, 2u, 8u}) {
+      conditions.number_of_threads = threads;
+      const Search_report report = search_curve(noise, search, conditions);
+      CHECK(report.best_candidate == alone.best_candidate);
+      CHECK(evaluated(report) == evaluated(alone));
+    }
+  }
+}
+
+TEST_CASE("every strategy stops when it is cancelled, with the best so far")
+{
+  const Stretch_curve curve = valley(50, 20);
+  for(const auto& [name, search] : all_strategies()) {
+    INFO(name);
+    Search_conditions conditions = peak_at(50, 10);
+    const std::size_t all = search_curve(curve, search, conditions).evaluations;
+    int asked = 0;
+    conditions.callback = [&](double share) {
+      CHECK((share >= 0 && share <= 1));
+      return ++asked <= 3;
+    };
+    const Search_report report = search_curve(curve, search, conditions);
+    CHECK(report.is_cancelled == (all > 3));
+    CHECK(report.evaluations == (std::min)(all, std::size_t(3)));
+    double least = INFEASIBLE;
+    for(const auto& sample : report.curve)
+      least = (std::min)(least, sample.stretch);
+    CHECK(report.best_stretch == least);
+  }
+}

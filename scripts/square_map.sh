@@ -6,8 +6,11 @@ caller_folder=$PWD
 extra_packages=()
 . "$(dirname "${BASH_SOURCE[0]}")/set_up.sh"
 
+# a first build needs no tests; a later one keeps what the folder was configured for
+configuration=()
+[ -f build/CMakeCache.txt ] || configuration=(-DCGAL_EXT_BUILD_TESTS=OFF -DCGAL_EXT_BUILD_BENCHMARKS=OFF)
 {
-  cmake --preset release -DCGAL_EXT_BUILD_TESTS=OFF -DCGAL_EXT_BUILD_BENCHMARKS=OFF
+  cmake --preset release "${configuration[@]}"
   cmake --build --preset release --target square_map
 } > build.log 2>&1 || { cat build.log >&2; exit 1; }
 rm -f build.log

@@ -11,12 +11,13 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationBorderParameterizers
 ///
-/// parameterizes the border of a disk onto the unit square by arc length, with the corners at which the stretch of the map
-/// is least. The search maps all border vertices. It finds the optimum, with as many evaluations as there are border vertices.
+/// parameterizes the border of a disk onto the unit square by arc length, with the corners at which the stretch of the
+/// map is least. The search maps all border vertices. It finds the optimum, with as many evaluations as there are
+/// border vertices.
 ///
 /// Candidates are counted from the source of the border halfedge given to `parameterize()`; they are mapped
-/// concurrently, and the result does not depend on the number of threads. The mesh is not changed: a candidate that puts
-/// both ends of an interior edge on one side of the square has infinite stretch (see `split_chords()`).
+/// concurrently, and the result does not depend on the number of threads. The mesh is not changed: a candidate that
+/// puts both ends of an interior edge on one side of the square has infinite stretch (see `split_chords()`).
 ///
 /// `parameterize()` returns
 /// - `OK`,

@@ -14,8 +14,8 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationBorderParameterizers
 ///
-/// parameterizes the border of a disk onto a circle around the origin by arc length, counter-clockwise, the source of the
-/// border halfedge at (radius, 0).
+/// parameterizes the border of a disk onto a circle around the origin by arc length, counter-clockwise, the source of
+/// the border halfedge at (radius, 0).
 ///
 /// \cgalModels `Parameterizer_3`
 ///

@@ -11,8 +11,8 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// the only view that a search strategy has of its problem. Candidates are 0, 1, ..., `number_of_candidates` - 1 and form
-/// a ring: the last and the first are neighbors.
+/// the only view that a search strategy has of its problem. Candidates are 0, 1, ..., `number_of_candidates` - 1 and
+/// form a ring: the last and the first are neighbors.
 struct Corner_search_problem
 {
   int number_of_candidates = 0; ///< at least 1
@@ -28,8 +28,8 @@ struct Corner_search_problem
   /// empty when that map could not be computed
   std::function<std::vector<double>()> circle_stretch;
 
-  /// the distance of every border vertex from the nearest corner if the given candidate were mapped, in half sides: 0 at a
-  /// corner, 1 in the middle of a side. Nothing is mapped.
+  /// the distance of every border vertex from the nearest corner if the given candidate were mapped, in half sides: 0
+  /// at a corner, 1 in the middle of a side. Nothing is mapped.
   std::function<std::vector<double>(int)> corner_distances;
 };
 

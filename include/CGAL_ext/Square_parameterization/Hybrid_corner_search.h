@@ -11,12 +11,12 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// starts at the better of the two predictions from the circle, walks left and right on the ring with a constant interval
-/// while the stretch falls, both ways at the same time; then evaluates, together, every candidate between the best and its
-/// evaluated neighbors (Dechvijankit et al., algorithm 2).
+/// starts at the better of the two predictions from the circle, walks left and right on the ring with a constant
+/// interval while the stretch falls, both ways at the same time; then evaluates, together, every candidate between the
+/// best and its evaluated neighbors (Dechvijankit et al., algorithm 2).
 ///
-/// Usually about \f$ 4 + 2 (i - 1) \f$ evaluations for an interval \f$ i \f$, and one circular map. Deterministic; finds the
-/// optimum when it lies in the valley of the start.
+/// Usually about \f$ 4 + 2 (i - 1) \f$ evaluations for an interval \f$ i \f$, and one circular map. Deterministic;
+/// finds the optimum when it lies in the valley of the start.
 /// \cgalModels `CornerSearch`
 class Hybrid_corner_search
 {

@@ -13,16 +13,17 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationSearches
 ///
 /// lets a swarm of particles fly over the ring of candidates of the quarter (Kennedy and Eberhart
-/// \cgalCite{kennedy1995particle}, with the constriction constants of Clerc and Kennedy): each is drawn to the best candidate
-/// it has seen and to the best that all have seen. The particles of one iteration are evaluated together.
+/// \cgalCite{kennedy1995particle}, with the constriction constants of Clerc and Kennedy): each is drawn to the best
+/// candidate it has seen and to the best that all have seen. The particles of one iteration are evaluated together.
 ///
-/// At most `particles` times `iterations` evaluations, fewer since candidates repeat. The answer depends on the seed, and
-/// is the same whenever the seed is; there is no guarantee.
+/// At most `particles` times `iterations` + 1 evaluations, fewer since candidates repeat. The answer depends on the
+/// seed, and is the same whenever the seed is; there is no guarantee.
 /// \cgalModels `CornerSearch`
 class Particle_swarm_corner_search
 {
 public:
-  /// \param particles size of the swarm, 1 or more; 0 for the default \f$ \max(4, \sqrt m) \f$ with \f$ m \f$ candidates
+  /// \param particles size of the swarm, 1 or more; 0 for the default \f$ \max(4, \sqrt m) \f$ with \f$ m \f$
+  ///        candidates
   /// \param iterations largest number of moves of the swarm
   /// \param patience number of moves in a row without a better candidate after which the search ends, 1 or more
   /// \param seed of the pseudo-random numbers

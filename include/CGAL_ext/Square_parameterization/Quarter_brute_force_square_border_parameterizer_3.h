@@ -11,9 +11,9 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationBorderParameterizers
 ///
-/// parameterizes the border of a disk onto the unit square by arc length, with corners found by mapping all border vertices of the
-/// first quarter of the border to (0, 0): the optimum of these, with about a quarter of the evaluations of
-/// `Brute_force_square_border_parameterizer_3`.
+/// parameterizes the border of a disk onto the unit square by arc length, with corners found by mapping all border
+/// vertices of the first quarter of the border to (0, 0): the optimum of these, with about a quarter of the evaluations
+/// of `Brute_force_square_border_parameterizer_3`.
 ///
 /// What the border parameterizers that search have in common, and what `parameterize()` returns, is said at
 /// `Brute_force_square_border_parameterizer_3`.

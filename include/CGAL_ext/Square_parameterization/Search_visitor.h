@@ -14,8 +14,8 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationResults
 ///
 /// is told how a search and a minimization proceed. Derive from it and override what you need; all functions do nothing
-/// by default. The parameterizers hold a pointer to the visitor, which must outlive them: they are copied, the visitor is
-/// not. Calls never overlap, but may come from different threads.
+/// by default. The parameterizers hold a pointer to the visitor, which must outlive them: they are copied, the visitor
+/// is not. Calls never overlap, but may come from different threads.
 class Search_visitor
 {
 public:
@@ -24,13 +24,14 @@ public:
   /// called once, before the first evaluation, with the number of candidates: an upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 
-  /// called after each evaluation, in the order in which they finish, which differs from run to run with several threads
+  /// called after each evaluation, in the order in which they finish, which differs from run to run with several
+  /// threads
   virtual void after_evaluation(const Search_report::Sample& /* sample */) {}
 
   /// called once, after the last evaluation
   virtual void end_search(const Search_report& /* report */) {}
 
-  /// called once, with the minimization that made the delivered map
+  /// called by a parameterizer, or by `parameterize_onto_square()`, with the minimization that made the delivered map
   virtual void end_minimization(const Minimization_report& /* report */) {}
 };
 

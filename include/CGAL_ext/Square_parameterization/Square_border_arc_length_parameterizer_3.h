@@ -44,8 +44,8 @@ public:
   {}
 
   /// constructs a parameterizer that puts four given vertices onto the corners (0, 0), (1, 0), (1, 1) and (0, 1).
-  /// The vertices must be distinct and lie on the border, in counter-clockwise order; otherwise `parameterize()` returns
-  /// `ERROR_WRONG_PARAMETER`.
+  /// The vertices must be distinct and lie on the border, in counter-clockwise order; otherwise `parameterize()`
+  /// returns `ERROR_WRONG_PARAMETER`.
   Square_border_arc_length_parameterizer_3(vertex_descriptor v0, vertex_descriptor v1, vertex_descriptor v2,
                                            vertex_descriptor v3)
     : m_corner_vertices({v0, v1, v2, v3})

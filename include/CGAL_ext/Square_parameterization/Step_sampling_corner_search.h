@@ -10,8 +10,8 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// evaluates every `step`-th candidate of the quarter, together; then, together, every candidate between the best sample
-/// and the samples beside it on the ring (Dechvijankit et al., algorithm 1).
+/// evaluates every `step`-th candidate of the quarter, together; then, together, every candidate between the best
+/// sample and the samples beside it on the ring (Dechvijankit et al., algorithm 1).
 ///
 /// About \f$ m / s + 2 (s - 1) \f$ evaluations for \f$ m \f$ candidates and a step \f$ s \f$. Deterministic; finds the
 /// optimum when the stretch has one valley that is wider than the step.

@@ -30,7 +30,7 @@ struct Stretch_minimization
   /// largest number of linear systems solved after the first
   unsigned int maximum_iterations = 100;
 
-  /// indicates whether all numbers are in their range
+  /// indicates whether weights are given and `eta` is in its range
   bool is_valid() const { return weights && eta > 0 && eta <= 1; }
 
   /// \cond SKIP_IN_MANUAL

@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZING_PARAMETERIZER_3_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZING_PARAMETERIZER_3_H
 
-#include <CGAL_ext/Square_parameterization/Quarter_brute_force_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/internal/Cgal_linear_solver.h>
 
 #include <CGAL/Default.h>
@@ -20,24 +20,24 @@ namespace CGAL_ext {
 /// Yoshizawa, Belyaev and Seidel \cgalCite{yoshizawa2004fast}.
 ///
 /// The interior is first mapped by convex combinations with the base weights; then, again and again, the stretch
-/// \f$ \sigma_j \f$ of every vertex is measured (Sander et al. \cgalCite{cgal:ssgh-tmpm-01}), the weight of every neighbor
-/// \f$ j \f$ is divided by \f$ \sigma_j^\eta \f$, and the system is solved anew. The iterate of least stretch is kept. It
-/// deviates from the paper in its defaults: `eta` is 0.3, not 1, and one iterate may fail to be lower.
+/// \f$ \sigma_j \f$ of every vertex is measured (Sander et al. \cgalCite{cgal:ssgh-tmpm-01}), the weight of every
+/// neighbor \f$ j \f$ is divided by \f$ \sigma_j^\eta \f$, and the system is solved anew. The iterate of least stretch is
+/// kept. It deviates from the paper in its defaults: `eta` is 0.3, not 1, and one iterate may fail to be lower.
 ///
 /// With positive base weights the map is one-to-one, unless an interior edge has both ends on one side of the square
-/// (`split_chords()` removes these); with `Harmonic_weights` a one-to-one map is *not* guaranteed. The result is checked
-/// by exact predicates in any case: `OK` means one-to-one.
+/// (`split_chords()` removes these); with `Harmonic_weights` a one-to-one map is *not* guaranteed. The result is
+/// checked by exact predicates in any case: `OK` means one-to-one.
 ///
 /// With a border parameterizer of this package that searches the corners, each candidate is mapped by this
-/// parameterizer, and the best map found is the result. A border parameterizer of CGAL is taken as it is; when it mirrors
-/// the border, as CGAL's square borders do, the map is mirrored.
+/// parameterizer, and the best map found is the result. A border parameterizer of CGAL is taken as it is; when it
+/// mirrors the border, as CGAL's square borders do, the map is mirrored.
 ///
 /// `parameterize()` returns `OK`, an error of the border parameterizer, `ERROR_NON_CONVEX_BORDER`,
-/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, `ERROR_NO_1_TO_1_MAPPING` (also when a face has no area), `ERROR_BORDER_TOO_SHORT`
-/// for fewer than four border vertices or a border edge of no length, `ERROR_NON_TRIANGULAR_MESH` or
-/// `ERROR_NO_TOPOLOGICAL_DISC` when the connected component at the border halfedge is not a triangulated disk, or
-/// `ERROR_WRONG_PARAMETER` when a coordinate is not finite or `eta` is out of range. The uv map is written only on `OK`,
-/// but for border vertices when the border parameterizer does not search.
+/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` (with a border that does not search), `ERROR_NO_1_TO_1_MAPPING` (also when a face
+/// has no area), `ERROR_BORDER_TOO_SHORT` for fewer than four border vertices or a border edge of no length,
+/// `ERROR_NON_TRIANGULAR_MESH` or `ERROR_NO_TOPOLOGICAL_DISC` when the connected component at the border halfedge is
+/// not a triangulated disk, or `ERROR_WRONG_PARAMETER` when a coordinate is not finite or `eta` is out of range. The uv
+/// map is written only on `OK`, but for border vertices when the border parameterizer does not search.
 ///
 /// Complexity: per iteration a sparse Cholesky factorization (LU for weights that are not symmetric), about
 /// \f$ V^{1.5} \f$ operations; the symbolic analysis is done once.
@@ -46,10 +46,10 @@ namespace CGAL_ext {
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
 /// \tparam BorderParameterizer_ must be a model of `Parameterizer_3` with a convex border.
-///         <b>%Default:</b> `Quarter_brute_force_square_border_parameterizer_3<TriangleMesh_>`
+///         <b>%Default:</b> `Hybrid_square_border_parameterizer_3<TriangleMesh_>`
 /// \tparam BaseWeights_ must be a model of `BaseWeights`. <b>%Default:</b> `Blended_weights`
-/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d`; a solver for symmetric matrices needs symmetric
-///         weights. <b>%Default:</b> a direct solver that suits the weights and keeps its symbolic analysis
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d`; a solver for symmetric matrices needs
+///         symmetric weights. <b>%Default:</b> a direct solver that suits the weights and keeps its symbolic analysis
 ///
 /// \sa `CGAL_ext::parameterize_onto_square()`
 template <class TriangleMesh_, class BorderParameterizer_ = CGAL::Default, class BaseWeights_ = CGAL::Default,
@@ -59,8 +59,7 @@ class Stretch_minimizing_parameterizer_3
 public:
   typedef TriangleMesh_ Triangle_mesh;
   typedef TriangleMesh_ TriangleMesh;
-  typedef typename CGAL::Default::Get<BorderParameterizer_,
-                                      Quarter_brute_force_square_border_parameterizer_3<TriangleMesh_>>::type
+  typedef typename CGAL::Default::Get<BorderParameterizer_, Hybrid_square_border_parameterizer_3<TriangleMesh_>>::type
       Border_parameterizer;
   typedef typename CGAL::Default::Get<BaseWeights_, Blended_weights>::type Base_weights;
   typedef SolverTraits_ Solver_traits;
@@ -86,12 +85,12 @@ public:
 
   /// maps the connected component of \p mesh at the border halfedge \p bhd.
   ///
-  /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with `vertex_descriptor` as key type and a 2D point as
-  ///         value type.
+  /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with `vertex_descriptor` as key type and a 2D point
+  ///         as value type.
   /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a unique
   ///         integer as value type.
-  /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with `vertex_descriptor` as key type and a
-  ///         Boolean as value type.
+  /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with `vertex_descriptor` as key type and
+  ///         a Boolean as value type.
   template <class VertexUVmap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap)

@@ -8,16 +8,16 @@
 
 namespace CGAL_ext {
 
+using internal::Edge_weights; // what a model of `BaseWeights` returns
+using internal::Patch;        // what it is given
+
 /// \ingroup PkgSquareParameterizationWeights
 ///
 /// gives every edge the weight 1 (Tutte \cgalCite{t-hdg-63}). Symmetric and positive: one-to-one whatever the mesh.
 /// \cgalModels `BaseWeights`
 struct Uniform_weights
 {
-  internal::Edge_weights operator()(const internal::Patch& patch) const
-  {
-    return internal::Edge_weights(patch, 1, true);
-  }
+  Edge_weights operator()(const Patch& patch) const { return Edge_weights(patch, 1, true); }
 };
 
 /// \ingroup PkgSquareParameterizationWeights
@@ -31,9 +31,9 @@ public:
   /// \param least_weight positive, dimensionless (an equilateral mesh has weights 0.577)
   explicit Clamped_cotangent_weights(double least_weight = 0.01) : m_least_weight(least_weight) {}
 
-  internal::Edge_weights operator()(const internal::Patch& patch) const
+  Edge_weights operator()(const Patch& patch) const
   {
-    internal::Edge_weights weights = internal::cotangent_weights(patch);
+    Edge_weights weights = internal::cotangent_weights(patch);
     for(auto& pair : weights.values)
       pair = {(std::max)(pair[0], m_least_weight), (std::max)(pair[1], m_least_weight)};
     return weights;
@@ -56,10 +56,10 @@ public:
   /// \param mean_value_share share of the mean value coordinates, in ]0, 1], dimensionless
   explicit Blended_weights(double mean_value_share = 0.2) : m_mean_value_share(mean_value_share) {}
 
-  internal::Edge_weights operator()(const internal::Patch& patch) const
+  Edge_weights operator()(const Patch& patch) const
   {
-    internal::Edge_weights weights = internal::cotangent_weights(patch);
-    const internal::Edge_weights mean_value = internal::mean_value_weights(patch);
+    Edge_weights weights = internal::cotangent_weights(patch);
+    const Edge_weights mean_value = internal::mean_value_weights(patch);
     // mean value coordinates have the unit 1 / length, and only their proportions at a vertex matter: at each vertex
     // they are scaled to the sum of the cotangent weights
     std::vector<double> cotangent_sum(patch.points.size(), 0.), mean_value_sum(patch.points.size(), 0.);
@@ -87,22 +87,23 @@ private:
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives every edge half the sum of the cotangents of its two opposite angles (Eck et al.\ \cgalCite{cgal:eddhls-maam-95}).
-/// Symmetric, but negative where the mesh is not Delaunay: a one-to-one map is *not* guaranteed.
+/// gives every edge half the sum of the cotangents of its two opposite angles (Eck et al.\
+/// \cgalCite{cgal:eddhls-maam-95}). Symmetric, but negative where the mesh is not Delaunay: a one-to-one map is *not*
+/// guaranteed.
 /// \cgalModels `BaseWeights`
 struct Harmonic_weights
 {
-  internal::Edge_weights operator()(const internal::Patch& patch) const { return internal::cotangent_weights(patch); }
+  Edge_weights operator()(const Patch& patch) const { return internal::cotangent_weights(patch); }
 };
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives the mean value coordinates of Floater \cgalCite{cgal:f-mvc-03}. Positive, not symmetric: one-to-one whatever the
-/// mesh.
+/// gives the mean value coordinates of Floater \cgalCite{cgal:f-mvc-03}. Positive, not symmetric: one-to-one whatever
+/// the mesh.
 /// \cgalModels `BaseWeights`
 struct Mean_value_weights
 {
-  internal::Edge_weights operator()(const internal::Patch& patch) const { return internal::mean_value_weights(patch); }
+  Edge_weights operator()(const Patch& patch) const { return internal::mean_value_weights(patch); }
 };
 
 /// \ingroup PkgSquareParameterizationWeights
@@ -112,9 +113,9 @@ struct Mean_value_weights
 /// \cgalModels `BaseWeights`
 struct Symmetric_mean_value_weights
 {
-  internal::Edge_weights operator()(const internal::Patch& patch) const
+  Edge_weights operator()(const Patch& patch) const
   {
-    internal::Edge_weights weights = internal::mean_value_weights(patch);
+    Edge_weights weights = internal::mean_value_weights(patch);
     for(auto& pair : weights.values)
       pair[0] = pair[1] = (pair[0] + pair[1]) / 2;
     weights.is_symmetric = true;
@@ -124,8 +125,8 @@ struct Symmetric_mean_value_weights
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives the shape-preserving weights of Floater \cgalCite{f-pssts-97}, in one of two averages. Positive, not symmetric:
-/// one-to-one whatever the mesh.
+/// gives the shape-preserving weights of Floater \cgalCite{f-pssts-97}, in one of two averages. Positive, not
+/// symmetric: one-to-one whatever the mesh.
 /// \cgalModels `BaseWeights`
 class Shape_preserving_weights
 {
@@ -139,7 +140,7 @@ public:
 
   explicit Shape_preserving_weights(Average average = Average::INVERSE_DISTANCE) : m_average(average) {}
 
-  internal::Edge_weights operator()(const internal::Patch& patch) const
+  Edge_weights operator()(const Patch& patch) const
   {
     return internal::shape_preserving_weights(patch, m_average == Average::PLAIN ? 0 : 2);
   }

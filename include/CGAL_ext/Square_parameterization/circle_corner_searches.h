@@ -63,9 +63,10 @@ inline int many_high_candidate(const Corner_search_problem& problem, const std::
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// maps onto a circle, and evaluates the one candidate of the quarter that puts the border vertex of highest stretch there
-/// nearest to a corner of the square (Dechvijankit et al., "highest stretch boundary vertex at corner"). One evaluation and
-/// one circular map; a prediction, no optimum. When there is no circular map, the first candidate is evaluated.
+/// maps onto a circle, and evaluates the one candidate of the quarter that puts the border vertex of highest stretch
+/// there nearest to a corner of the square (Dechvijankit et al., "highest stretch boundary vertex at corner"). One
+/// evaluation and one circular map; a prediction, no optimum. When there is no circular map, the first candidate is
+/// evaluated.
 /// \cgalModels `CornerSearch`
 struct Single_highest_corner_search
 {

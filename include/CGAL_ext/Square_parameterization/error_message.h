@@ -10,8 +10,8 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationResults
 ///
-/// returns one sentence that says what an error code means. Never null. (The function of the same purpose in CGAL is off
-/// by one from `ERROR_NO_TOPOLOGICAL_BALL` on.)
+/// returns one sentence that says what an error code means. Never null. (The function of the same purpose in CGAL is
+/// off by one from `ERROR_NO_TOPOLOGICAL_BALL` on.)
 inline const char* error_message(CGAL::Surface_mesh_parameterization::Error_code code)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -27,7 +27,7 @@ inline const char* error_message(CGAL::Surface_mesh_parameterization::Error_code
   case SMP::ERROR_NO_TOPOLOGICAL_BALL:
     return "the mesh is not a topological ball";
   case SMP::ERROR_BORDER_TOO_SHORT:
-    return "the border has fewer vertices than the parameterization needs, or no length";
+    return "the border has fewer vertices than the parameterization needs, or an edge without length";
   case SMP::ERROR_NON_CONVEX_BORDER:
     return "the parameterization needs a convex border";
   case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:

@@ -72,12 +72,12 @@ inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
 /// measures the stretch of the map \p uvmap of the triangle mesh \p mesh: over the whole mesh and per face.
 ///
 /// \tparam TriangleMesh must be a model of `FaceGraph`.
-/// \tparam VertexUVMap must be a model of `ReadablePropertyMap` with the vertex descriptor as key type and a 2D point as
-///         value type.
-/// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with the vertex descriptor as key type and a 3D point as
-///         value type.
-/// \tparam VertexStretchMap must be a model of `WritablePropertyMap` with the vertex descriptor as key type and `double` as
-///         value type, or null.
+/// \tparam VertexUVMap must be a model of `ReadablePropertyMap` with the vertex descriptor as key type and a 2D point
+///         as value type.
+/// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with the vertex descriptor as key type and a 3D
+///         point as value type.
+/// \tparam VertexStretchMap must be a model of `WritablePropertyMap` with the vertex descriptor as key type and
+///         `double` as value type, or null.
 /// \param mesh the surface
 /// \param uvmap the position of every vertex in the plane
 /// \param vpm the position of every vertex in space

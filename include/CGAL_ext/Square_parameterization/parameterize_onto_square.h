@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_PARAMETERIZE_ONTO_SQUARE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_PARAMETERIZE_ONTO_SQUARE_H
 
+#include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/error_message.h>
 #include <CGAL_ext/Square_parameterization/internal/Face_graph_patch.h>
@@ -29,7 +30,7 @@ namespace CGAL_ext {
 struct Square_map_options
 {
   /// chooses the corners: any model of `CornerSearch`
-  Corner_search search = Quarter_brute_force_corner_search();
+  Corner_search search = Hybrid_corner_search();
   Stretch_minimization minimization;    ///< how each candidate is mapped
   Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
   Chords chords = Chords::ALL;          ///< which chords are split
@@ -86,12 +87,20 @@ void check_input(const TriangleMesh& mesh, const Square_map_options& options)
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(!options.minimization.is_valid())
     throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
+  const std::size_t number_of_faces = std::distance(faces(mesh).begin(), faces(mesh).end());
+  if(number_of_faces == 0)
+    throw Unmappable(SMP::ERROR_EMPTY_MESH, "the surface has no faces");
   std::size_t polygons = 0;
   for(auto f : faces(mesh))
     if(!CGAL::is_triangle(halfedge(f, mesh), mesh))
       ++polygons;
   if(polygons > 0)
     throw Unmappable(SMP::ERROR_NON_TRIANGULAR_MESH, std::to_string(polygons) + " faces are not triangles");
+  const auto bhd = first_border_halfedge(mesh);
+  if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge())
+    throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC, "the surface is closed: it has no border");
+  if(faces_of_component(face(opposite(bhd, mesh), mesh), mesh).size() < number_of_faces)
+    throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC, "the surface has more than one connected component");
 }
 
 /// positions in the border loop of four vertices of the patch
@@ -133,8 +142,8 @@ options(const Square_map_options& options)
 /// The border starts at the border vertex that comes first in the order of the mesh. The map is not mirrored.
 ///
 /// \tparam TriangleMesh must be a model of `MutableFaceGraph`; it must be one connected component with one border.
-/// \tparam VertexUVMap must be a model of `WritablePropertyMap` with the vertex descriptor as key type and a 2D point as
-///         value type.
+/// \tparam VertexUVMap must be a model of `WritablePropertyMap` with the vertex descriptor as key type and a 2D point
+///         as value type.
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \param mesh the surface. It is changed only where a chord is split; new vertices and faces come last.
@@ -187,6 +196,8 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     result.search = outcome.report;
     result.minimization = outcome.map.report;
     result.border_edges = patch.border.size();
+    if(options.search_options.visitor != nullptr)
+      options.search_options.visitor->end_minimization(outcome.map.report);
     if(outcome.report.best_candidate < 0)
       throw internal::Unmappable(SMP::ERROR_NO_1_TO_1_MAPPING, "none of " + std::to_string(outcome.report.evaluations) +
                                                                    " evaluated candidates has a one-to-one map");

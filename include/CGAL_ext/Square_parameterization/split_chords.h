@@ -45,15 +45,15 @@ void split_edge_at_midpoint(typename boost::graph_traits<TriangleMesh>::halfedge
 
 /// \ingroup PkgSquareParameterizationConditioning
 ///
-/// splits the chords of a triangulated surface with border at their midpoints, and returns how many there were. A chord is
-/// an interior edge with both ends on the border. When both ends come to lie on one side of the square the faces beside
-/// the chord have no area: no one-to-one map exists. After the split each choice of corners has one.
+/// splits the chords of a triangulated surface with border at their midpoints, and returns how many there were. A chord
+/// is an interior edge with both ends on the border. When both ends come to lie on one side of the square the faces
+/// beside the chord have no area: no one-to-one map exists. After the split each choice of corners has one.
 ///
 /// The new vertices and faces come after the existing ones. Complexity: linear.
 ///
 /// \tparam TriangleMesh must be a model of `MutableFaceGraph`.
-/// \tparam VertexPointMap must be a model of `ReadWritePropertyMap` with the vertex descriptor as key type and a 3D point
-///         as value type.
+/// \tparam VertexPointMap must be a model of `ReadWritePropertyMap` with the vertex descriptor as key type and a 3D
+///         point as value type.
 /// \pre all faces are triangles
 template <class TriangleMesh, class VertexPointMap>
 std::size_t split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which = Chords::ALL)

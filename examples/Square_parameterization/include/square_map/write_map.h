@@ -43,8 +43,8 @@ inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv)
   }
 }
 
-/// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point) or
-/// ply (vertex properties s and t)
+/// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point)
+/// or ply (vertex properties s and t)
 inline void write_map(std::ostream& stream, Mesh& mesh, UV_map uv, const std::string& extension)
 {
   if(extension == "obj")

@@ -41,8 +41,8 @@ public:
     }
   }
 
-  /// evaluates every unknown candidate between the best one and its nearest known neighbors on both sides: what the paper
-  /// calls deep checking. When no known candidate has a map, evaluates all that are left.
+  /// evaluates every unknown candidate between the best one and its nearest known neighbors on both sides: what the
+  /// paper calls deep checking. When no known candidate has a map, evaluates all that are left.
   void evaluate_around_best()
   {
     const bool has_map = std::isfinite(stretch(m_best));

@@ -16,9 +16,9 @@ namespace internal {
 
 /// what the border parameterizers that search the corners share: they differ in the strategy alone.
 ///
-/// Used with a parameterizer of this package, the search minimises what that parameterizer minimises, and its best map is
-/// the result. Used with another fixed border parameterizer it minimises the objective given here, and only the border is
-/// taken from the best map.
+/// Used with a parameterizer of this package, the search minimises what that parameterizer minimises, and its best map
+/// is the result. Used with another fixed border parameterizer it minimises the objective given here, and only the
+/// border is taken from the best map.
 template <class TriangleMesh_, class Search_>
 class Square_border_search_parameterizer_3
 {

@@ -31,7 +31,8 @@ struct Minimized_map
   Minimization_report report;
 };
 
-/// the stretch-minimizing parameterization of Yoshizawa, Belyaev and Seidel 2004 for any number of borders of one patch.
+/// the stretch-minimizing parameterization of Yoshizawa, Belyaev and Seidel 2004 for any number of borders of one
+/// patch.
 ///
 /// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The first
 /// system does not depend on the border, and is factored once, at construction.

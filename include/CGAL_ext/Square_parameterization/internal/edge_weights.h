@@ -140,8 +140,8 @@ inline void keep_positive(const Patch& patch, const std::vector<Fan_corner>& fan
 /// opposite to it, and these are averaged, weighted by \p distance_power powers of the inverse distance from the centre
 /// to the ring edge (0: Floater's plain mean; 2: the variant behind the published tables).
 ///
-/// On regular meshes the ray opposite to a neighbor often meets a ring vertex, where two ring edges are as opposite as each
-/// other but at different distances: both count half, so that the weights do not depend on rounding.
+/// On regular meshes the ray opposite to a neighbor often meets a ring vertex, where two ring edges are as opposite as
+/// each other but at different distances: both count half, so that the weights do not depend on rounding.
 inline Edge_weights shape_preserving_weights(const Patch& patch, int distance_power)
 {
   Edge_weights weights(patch);

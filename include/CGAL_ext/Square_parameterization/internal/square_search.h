@@ -55,8 +55,8 @@ inline Minimized_map map_onto_square(const Patch& patch, const Stretch_iteration
   return map;
 }
 
-/// the stretch of the border vertices, in the order of the border loop, when the patch is mapped onto a circle of area 1;
-/// empty when it cannot be
+/// the stretch of the border vertices, in the order of the border loop, when the patch is mapped onto a circle of area
+/// 1; empty when it cannot be
 inline std::vector<double> circle_stretch(const Patch& patch, const Stretch_iteration& iteration)
 {
   const Uv_coordinates border_uv = circular_border(patch.border_lengths, std::sqrt(1 / EIGEN_PI));
@@ -117,10 +117,8 @@ inline Search_outcome search_square_map(const Patch& patch, const Stretch_iterat
   Search_outcome outcome{evaluation.best_map(), evaluation.report()};
   if(outcome.report.best_candidate >= 0)
     outcome.report.corners = border_of(outcome.report.best_candidate).corners;
-  if(options.visitor != nullptr) {
+  if(options.visitor != nullptr)
     options.visitor->end_search(outcome.report);
-    options.visitor->end_minimization(outcome.map.report);
-  }
   return outcome;
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/Patch.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -14,8 +14,6 @@
 
 #include <boost/program_options.hpp>
 
-#include <tbb/info.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -238,8 +236,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   }
   if(is_given("patience"))
     options.minimization.patience = patience;
-  // more threads than cores would not run, and TBB would complain
-  options.search_options.number_of_threads = std::min(threads, tbb::info::default_concurrency());
+  options.search_options.number_of_threads = threads;
   if(is_given("corners")) {
     line.corners = parse_corners(corners);
     line.strategy = "none";

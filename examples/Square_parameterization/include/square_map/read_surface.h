@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
 
 #include "Memory_limit.h"
+#include "check_ply_header.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -39,6 +40,9 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
     throw Malformed_file("cannot read '" + path + "': there is no such file");
   if(!std::filesystem::is_regular_file(path, error))
     throw Malformed_file("cannot read '" + path + "': it is not a regular file");
+  const std::string fault = ply_header_fault(path);
+  if(!fault.empty())
+    throw Malformed_file("cannot read '" + path + "': " + fault);
   std::vector<Kernel::Point_3> points;
   CGAL_ext::internal::Surface_soup soup;
   bool is_read = false;

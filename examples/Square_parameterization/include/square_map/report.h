@@ -57,9 +57,8 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
   json["curve"] = nlohmann::ordered_json::array();
   for(const auto& sample : result.search.curve)
     json["curve"].push_back({{"candidate", sample.candidate}, {"l2", number(sample.stretch)}});
-  json["threads"] = line.options.search_options.number_of_threads == 0
-                        ? tbb::this_task_arena::max_concurrency()
-                        : static_cast<int>(line.options.search_options.number_of_threads);
+  const unsigned int threads = line.options.search_options.number_of_threads;
+  json["threads"] = threads == 0 ? CGAL_ext::internal::default_number_of_threads() : threads;
   json["seconds"] = {{"read", seconds.read},   {"condition", seconds.condition}, {"search", seconds.search},
                      {"final", seconds.final}, {"write", seconds.write},         {"total", seconds.total}};
   return json;

@@ -21,6 +21,12 @@
 namespace CGAL_ext {
 namespace internal {
 
+/// the number of threads that 0 stands for
+inline unsigned int default_number_of_threads()
+{
+  return static_cast<unsigned int>(tbb::this_task_arena::max_concurrency());
+}
+
 /// thrown out of a strategy by the evaluation when the callback asks to stop
 struct Search_cancelled
 {
@@ -45,9 +51,10 @@ public:
                        unsigned int number_of_threads, Search_visitor* visitor, std::function<bool(double)> callback)
     : m_number_of_candidates(number_of_candidates),
       m_workers(make_worker),
-      m_thread_limit(tbb::global_control::max_allowed_parallelism, thread_limit(number_of_threads)),
+      m_thread_limit(tbb::global_control::max_allowed_parallelism,
+                     thread_limit(useful_threads(number_of_threads, number_of_candidates))),
       m_arena(number_of_threads == 0 ? static_cast<int>(tbb::task_arena::automatic)
-                                     : static_cast<int>(number_of_threads)),
+                                     : useful_threads(number_of_threads, number_of_candidates)),
       m_visitor(visitor),
       m_callback(std::move(callback))
   {}
@@ -100,10 +107,16 @@ public:
   }
 
 private:
-  /// TBB has as many threads as cores unless it is allowed more
-  static std::size_t thread_limit(unsigned int number_of_threads)
+  /// more threads than candidates would have nothing to do
+  static int useful_threads(unsigned int number_of_threads, int number_of_candidates)
   {
-    return (std::max)(std::size_t(number_of_threads),
+    return static_cast<int>((std::min)(number_of_threads, static_cast<unsigned int>(number_of_candidates)));
+  }
+
+  /// TBB has as many threads as cores unless it is allowed more
+  static std::size_t thread_limit(int number_of_threads)
+  {
+    return (std::max)(static_cast<std::size_t>(number_of_threads),
                       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   }
 

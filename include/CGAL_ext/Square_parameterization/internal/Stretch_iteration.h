@@ -61,7 +61,7 @@ public:
     Convex_combination_system::Equations equations;
     const Uv_coordinates any_border = Uv_coordinates::Zero(patch.border.size(), 2);
     m_system.assemble(std::vector<double>(patch.points.size(), 1.), any_border, equations);
-    m_is_first_system_solvable = m_first_solver->factorize(equations.matrix);
+    m_is_first_system_solvable = factorize(*m_first_solver, equations);
   }
 
   /// maps the interior for the border \p border_uv (#B by 2, convex, counter-clockwise).
@@ -80,7 +80,7 @@ public:
     }
     workspace.factors.assign(m_patch.points.size(), 1.);
     m_system.assemble(workspace.factors, border_uv, workspace.equations);
-    bool is_solved = m_first_solver->solve(workspace.equations.right_hand_sides, workspace.solution);
+    bool is_solved = solve(*m_first_solver, workspace);
     unsigned int failures = 0;
     while(true) {
       if(!is_solved) {
@@ -118,8 +118,21 @@ private:
     m_system.assemble(workspace.factors, border_uv, workspace.equations);
     if(!workspace.solver)
       workspace.solver = m_make_solver(m_system.is_symmetric());
-    return workspace.solver->factorize(workspace.equations.matrix) &&
-           workspace.solver->solve(workspace.equations.right_hand_sides, workspace.solution);
+    return factorize(*workspace.solver, workspace.equations) && solve(*workspace.solver, workspace);
+  }
+
+  // a patch without interior vertices has no equations: libraries do not expect that
+
+  static bool factorize(Linear_solver& solver, const Convex_combination_system::Equations& equations)
+  {
+    return equations.matrix.rows() == 0 || solver.factorize(equations.matrix);
+  }
+
+  static bool solve(const Linear_solver& solver, Workspace& workspace)
+  {
+    workspace.solution.resize(workspace.equations.matrix.rows(), 2);
+    return workspace.equations.matrix.rows() == 0 ||
+           solver.solve(workspace.equations.right_hand_sides, workspace.solution);
   }
 
   const Patch& m_patch;

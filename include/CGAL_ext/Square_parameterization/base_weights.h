@@ -87,9 +87,9 @@ private:
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
-/// gives every edge half the sum of the cotangents of its two opposite angles (Eck et al.\
-/// \cgalCite{cgal:eddhls-maam-95}). Symmetric, but negative where the mesh is not Delaunay: a one-to-one map is *not*
-/// guaranteed.
+/// gives every edge half the sum of the cotangents of its two opposite angles (Eck et
+/// al.\ \cgalCite{cgal:eddhls-maam-95}). Symmetric, but negative where the mesh is not Delaunay: a one-to-one map is
+/// *not* guaranteed.
 /// \cgalModels `BaseWeights`
 struct Harmonic_weights
 {

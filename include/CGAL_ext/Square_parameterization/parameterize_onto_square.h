@@ -73,10 +73,13 @@ enum options_t
 template <class TriangleMesh>
 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor first_border_halfedge(const TriangleMesh& mesh)
 {
-  for(auto v : vertices(mesh))
+  for(auto v : vertices(mesh)) {
+    if(halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
+      continue; // isolated
     for(auto h : CGAL::halfedges_around_source(v, mesh))
-      if(is_border(h, mesh))
+      if(CGAL::is_border(h, mesh))
         return h;
+  }
   return boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
@@ -103,16 +106,22 @@ void check_input(const TriangleMesh& mesh, const Square_map_options& options)
     throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC, "the surface has more than one connected component");
 }
 
-/// positions in the border loop of four vertices of the patch
-inline Corners border_positions(const Patch& patch, const std::array<std::size_t, 4>& corner_vertices)
+/// positions in the border loop of four vertices, given by their place in the order of the mesh
+template <class TriangleMesh>
+Corners border_positions(const TriangleMesh& mesh, const Face_graph_patch<TriangleMesh>& disk,
+                         const std::array<std::size_t, 4>& corner_vertices)
 {
+  const auto loop = select(disk.vertices, disk.patch.border);
   Corners corners{};
   for(int k = 0; k < 4; ++k) {
-    const auto found = std::find(patch.border.begin(), patch.border.end(), static_cast<int>(corner_vertices[k]));
-    if(found == patch.border.end())
+    const std::size_t v = corner_vertices[k];
+    const auto found = v < vertices(mesh).size()
+                           ? std::find(loop.begin(), loop.end(), *std::next(vertices(mesh).begin(), v))
+                           : loop.end();
+    if(found == loop.end())
       throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                       "corner vertex " + std::to_string(corner_vertices[k]) + " is not on the border");
-    corners[k] = static_cast<int>(found - patch.border.begin());
+                       "corner vertex " + std::to_string(v) + " is not on the border");
+    corners[k] = static_cast<int>(found - loop.begin());
   }
   return corners;
 }
@@ -182,12 +191,13 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     const auto start = Clock::now();
     internal::check_input(mesh, options);
     result.chords_split = split_chords(mesh, vpm, options.chords);
-    const auto [patch, vertex_list] = internal::make_face_graph_patch(mesh, internal::first_border_halfedge(mesh), vpm);
+    const auto disk = internal::make_face_graph_patch(mesh, internal::first_border_halfedge(mesh), vpm);
+    const auto& [patch, vertex_list] = disk;
     const internal::Stretch_iteration iteration = options.minimization.make_iteration(patch);
     const auto search_start = Clock::now();
     const internal::Search_outcome outcome =
         options.corners
-            ? internal::map_with_corners(patch, iteration, internal::border_positions(patch, *options.corners))
+            ? internal::map_with_corners(patch, iteration, internal::border_positions(mesh, disk, *options.corners))
             : internal::search_square_map(patch, iteration, options.search, options.search_options);
     const auto end = Clock::now();
 

@@ -61,12 +61,12 @@ std::size_t split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which = 
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   const auto is_on_border = [&mesh](auto v) { return bool(CGAL::is_border(v, mesh)); };
   const auto cuts_off_a_face = [&mesh](auto h) {
-    return is_border(opposite(next(h, mesh), mesh), mesh) && is_border(opposite(prev(h, mesh), mesh), mesh);
+    return CGAL::is_border(opposite(next(h, mesh), mesh), mesh) && CGAL::is_border(opposite(prev(h, mesh), mesh), mesh);
   };
   std::vector<edge_descriptor> chords;
   for(edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
-    if(is_border(h, mesh) || is_border(opposite(h, mesh), mesh))
+    if(CGAL::is_border(h, mesh) || CGAL::is_border(opposite(h, mesh), mesh))
       continue;
     if(!is_on_border(source(h, mesh)) || !is_on_border(target(h, mesh)))
       continue;

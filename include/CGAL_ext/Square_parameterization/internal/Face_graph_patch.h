@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/Patch.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -41,7 +42,7 @@ faces_of_component(typename boost::graph_traits<TriangleMesh>::face_descriptor s
     const face_descriptor f = front.back();
     front.pop_back();
     for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
-      if(!is_border(opposite(h, mesh), mesh) && visited.insert(face(opposite(h, mesh), mesh)).second)
+      if(!CGAL::is_border(opposite(h, mesh), mesh) && visited.insert(face(opposite(h, mesh), mesh)).second)
         front.push_back(face(opposite(h, mesh), mesh));
   }
   for(face_descriptor f : faces(mesh))
@@ -100,7 +101,7 @@ make_face_graph_patch(const TriangleMesh& mesh, typename boost::graph_traits<Tri
   namespace SMP = CGAL::Surface_mesh_parameterization;
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
-  if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge() || !is_border(bhd, mesh))
+  if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge() || !CGAL::is_border(bhd, mesh))
     throw Unmappable(SMP::ERROR_BORDER_TOO_SHORT, "the given halfedge is not on a border");
   const auto component = faces_of_component(face(opposite(bhd, mesh), mesh), mesh);
 
@@ -111,7 +112,7 @@ make_face_graph_patch(const TriangleMesh& mesh, typename boost::graph_traits<Tri
     int corners = 0;
     for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
       index.emplace(target(h, mesh), 0);
-      border_edges += is_border(opposite(h, mesh), mesh) ? 1 : 0;
+      border_edges += CGAL::is_border(opposite(h, mesh), mesh) ? 1 : 0;
       ++corners;
     }
     if(corners != 3)

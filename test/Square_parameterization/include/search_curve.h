@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Runs a search strategy over a plain array of numbers: a strategy sees nothing of meshes and maps.
+
+#ifndef CGAL_EXT_SEARCH_CURVE_H
+#define CGAL_EXT_SEARCH_CURVE_H
+
+#include <CGAL_ext/Square_parameterization/corner_searches.h>
+#include <CGAL_ext/Square_parameterization/internal/Candidate_evaluation.h>
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+/// a stretch for every candidate
+typedef std::vector<double> Stretch_curve;
+
+const double INFEASIBLE = std::numeric_limits<double>::infinity();
+
+/// a worker for `Candidate_evaluation` that reads the stretch from the curve; the map it makes has the candidate as its uv
+inline CGAL_ext::internal::Candidate_evaluation::Worker worker_of(const Stretch_curve& curve)
+{
+  return [&curve](int candidate) {
+    CGAL_ext::internal::Minimized_map map;
+    map.report.l2 = curve[candidate];
+    if(curve[candidate] < INFEASIBLE)
+      map.uv = CGAL_ext::internal::Uv_coordinates::Constant(1, 2, candidate);
+    return map;
+  };
+}
+
+/// what a search may be given besides the strategy
+struct Search_conditions
+{
+  unsigned int number_of_threads = 1;
+  CGAL_ext::Search_visitor* visitor = nullptr;
+  std::function<bool(double)> callback = {};
+
+  int number_of_vertices = 1, number_of_faces = 1; ///< of the mesh that the strategy believes it maps
+  std::vector<double> circle_stretch = {};         ///< one per border vertex; empty: there is no map onto a circle
+  std::function<std::vector<double>(int)> corner_distances = {};
+};
+
+/// runs a strategy over the curve through the evaluation that the library uses
+inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CGAL_ext::Corner_search& search,
+                                            const Search_conditions& conditions = {})
+{
+  const int candidates = static_cast<int>(curve.size());
+  CGAL_ext::internal::Candidate_evaluation evaluation(
+      candidates, [&] { return worker_of(curve); }, conditions.number_of_threads, conditions.visitor,
+      conditions.callback);
+  CGAL_ext::Corner_search_problem problem;
+  problem.number_of_candidates = candidates;
+  problem.stretch_of = [&](const std::vector<int>& batch) { return evaluation(batch); };
+  problem.number_of_vertices = conditions.number_of_vertices;
+  problem.number_of_faces = conditions.number_of_faces;
+  problem.circle_stretch = [&] { return conditions.circle_stretch; };
+  problem.corner_distances = conditions.corner_distances;
+  try {
+    search(problem);
+  } catch(const CGAL_ext::internal::Search_cancelled&) {
+    // the report says so
+  }
+  return evaluation.report();
+}
+
+#endif // CGAL_EXT_SEARCH_CURVE_H

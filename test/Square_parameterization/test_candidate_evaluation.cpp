@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "search_curve.h"
+#include "test_meshes.h"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+using namespace CGAL_ext;
+using internal::Candidate_evaluation;
+using internal::Search_cancelled;
+
+namespace {
+
+Stretch_curve random_curve(int n, unsigned int seed)
+{
+  Random_numbers random(seed);
+  Stretch_curve curve;
+  for(int k = 0; k < n; ++k)
+    curve.push_back(1 + random.below(20) / 8.); // many ties
+  return curve;
+}
+
+std::vector<int> all_of(const Stretch_curve& curve)
+{
+  std::vector<int> all(curve.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+Candidate_evaluation evaluation_of(const Stretch_curve& curve, const Search_conditions& conditions = {})
+{
+  return Candidate_evaluation(
+      static_cast<int>(curve.size()), [&curve] { return worker_of(curve); }, conditions.number_of_threads,
+      conditions.visitor, conditions.callback);
+}
+
+/// counts its calls and notices when two overlap
+class Counting_visitor : public Search_visitor
+{
+public:
+  void after_evaluation(const Search_report::Sample& sample) override
+  {
+    if(m_is_inside.exchange(true))
+      calls_overlap = true;
+    samples.push_back(sample);
+    m_is_inside = false;
+  }
+
+  std::vector<Search_report::Sample> samples;
+  bool calls_overlap = false;
+
+private:
+  std::atomic<bool> m_is_inside{false};
+};
+
+} // namespace
+
+TEST_CASE("stretches come in the order of the candidates, repeated ones too")
+{
+  const Stretch_curve curve{5, 4, 3, 2, 1};
+  Candidate_evaluation evaluation = evaluation_of(curve);
+  CHECK(evaluation({3, 0, 3, 1}) == std::vector<double>{2, 5, 2, 4});
+  CHECK(evaluation({}).empty());
+  CHECK(evaluation({1, 4}) == std::vector<double>{4, 1});
+}
+
+TEST_CASE("a candidate is mapped once and counted once")
+{
+  const Stretch_curve curve = random_curve(40, 41);
+  std::vector<std::atomic<int>> calls(curve.size());
+  const auto make_worker = [&]() -> Candidate_evaluation::Worker {
+    return [&, worker = worker_of(curve)](int candidate) {
+      ++calls[candidate];
+      return worker(candidate);
+    };
+  };
+  Candidate_evaluation evaluation(40, make_worker, 8, nullptr, {});
+  evaluation({7, 3, 7, 7, 12});
+  evaluation({12, 3, 20});
+  evaluation({20, 20});
+  const Search_report report = evaluation.report();
+  CHECK(report.candidates == 40);
+  CHECK(report.evaluations == 4);
+  for(int k = 0; k < 40; ++k)
+    CHECK(calls[k] == (k == 3 || k == 7 || k == 12 || k == 20 ? 1 : 0));
+  REQUIRE(report.curve.size() == 4);
+  const int expected[] = {3, 7, 12, 20};
+  for(int i = 0; i < 4; ++i) {
+    CHECK(report.curve[i].candidate == expected[i]);
+    CHECK(report.curve[i].stretch == curve[expected[i]]);
+  }
+}
+
+TEST_CASE("the best map is that of least stretch, of the lowest candidate among equals")
+{
+  const Stretch_curve curve{3, 2, 1.5, 4, 1.5, 1.5};
+  Candidate_evaluation evaluation = evaluation_of(curve);
+  evaluation({5});
+  CHECK(evaluation.report().best_candidate == 5);
+  evaluation({0, 4});
+  CHECK(evaluation.report().best_candidate == 4);
+  evaluation({2, 1, 3});
+  CHECK(evaluation.report().best_candidate == 2);
+  CHECK(evaluation.report().best_stretch == 1.5);
+  CHECK(evaluation.best_map().uv(0, 0) == 2);
+}
+
+TEST_CASE("the result is the same for any number of threads and for every run")
+{
+  for(unsigned int seed = 0; seed < 5; ++seed) {
+    const Stretch_curve curve = random_curve(200, seed);
+    const int expected = static_cast<int>(std::min_element(curve.begin(), curve.end()) - curve.begin());
+    for(unsigned int threads : {1, 2, 8, 0})
+      for(int run = 0; run < 5; ++run) {
+        Candidate_evaluation evaluation = evaluation_of(curve, {threads});
+        CHECK(evaluation(all_of(curve)) == curve);
+        CHECK(evaluation.report().best_candidate == expected);
+        CHECK(evaluation.best_map().uv(0, 0) == expected);
+      }
+  }
+}
+
+TEST_CASE("candidates without a map are evaluated but never the best")
+{
+  const Stretch_curve curve{INFEASIBLE, 3, INFEASIBLE, 2};
+  Candidate_evaluation evaluation = evaluation_of(curve);
+  CHECK(evaluation({0, 2}) == std::vector<double>{INFEASIBLE, INFEASIBLE});
+  CHECK(evaluation.report().best_candidate == -1);
+  CHECK(evaluation.report().best_stretch == INFEASIBLE);
+  CHECK(evaluation.best_map().uv.rows() == 0);
+  CHECK(evaluation.report().evaluations == 2);
+  evaluation({0, 1, 2, 3});
+  CHECK(evaluation.report().best_candidate == 3);
+  CHECK(evaluation.report().evaluations == 4);
+}
+
+TEST_CASE("the callback sees the share of the candidates evaluated, before each evaluation")
+{
+  const Stretch_curve curve = random_curve(8, 42);
+  std::vector<double> shares;
+  Candidate_evaluation evaluation = evaluation_of(curve, {1, nullptr, [&](double share) {
+                                                            shares.push_back(share);
+                                                            return true;
+                                                          }});
+  evaluation({0, 1, 2});
+  evaluation({2, 3});
+  CHECK(shares == std::vector<double>{0, 1 / 8., 2 / 8., 3 / 8.});
+  CHECK_FALSE(evaluation.report().is_cancelled);
+}
+
+TEST_CASE("a cancelled search keeps the best so far and stops within one evaluation per thread")
+{
+  const unsigned int threads = GENERATE(1u, 2u, 8u);
+  const Stretch_curve curve = random_curve(500, 43);
+  Counting_visitor visitor;
+  std::atomic<int> asked{0};
+  Candidate_evaluation evaluation = evaluation_of(curve, {threads, &visitor, [&](double) { return ++asked <= 20; }});
+  CHECK_THROWS_AS(evaluation(all_of(curve)), Search_cancelled);
+
+  const Search_report report = evaluation.report();
+  CHECK(report.is_cancelled);
+  CHECK(asked == 21); // not asked again after the refusal
+  CHECK(report.evaluations == 20);
+  CHECK(visitor.samples.size() == 20);
+  double least = INFEASIBLE;
+  for(const auto& sample : report.curve) {
+    CHECK(sample.stretch == curve[sample.candidate]);
+    least = std::min(least, sample.stretch);
+  }
+  CHECK(report.best_stretch == least);
+  CHECK(evaluation.best_map().uv(0, 0) == report.best_candidate);
+}
+
+TEST_CASE("a search cancelled at once has no best")
+{
+  const Stretch_curve curve{1, 2};
+  Candidate_evaluation evaluation = evaluation_of(curve, {1, nullptr, [](double) { return false; }});
+  CHECK_THROWS_AS(evaluation({0, 1}), Search_cancelled);
+  CHECK(evaluation.report().evaluations == 0);
+  CHECK(evaluation.report().best_candidate == -1);
+  CHECK(evaluation.report().is_cancelled);
+}
+
+TEST_CASE("the visitor is told of every evaluation, one at a time")
+{
+  const Stretch_curve curve = random_curve(100, 44);
+  Counting_visitor visitor;
+  Candidate_evaluation evaluation = evaluation_of(curve, {8, &visitor});
+  evaluation({4, 4, 5});
+  evaluation(all_of(curve));
+  CHECK_FALSE(visitor.calls_overlap);
+  REQUIRE(visitor.samples.size() == 100);
+  std::sort(visitor.samples.begin(), visitor.samples.end(),
+            [](const auto& a, const auto& b) { return a.candidate < b.candidate; });
+  for(int k = 0; k < 100; ++k) {
+    CHECK(visitor.samples[k].candidate == k);
+    CHECK(visitor.samples[k].stretch == curve[k]);
+  }
+}
+
+TEST_CASE("each thread has a worker of its own, used by one thread at a time")
+{
+  std::atomic<bool> is_shared{false};
+  const auto make_worker = [&is_shared]() -> Candidate_evaluation::Worker {
+    return [&is_shared, is_busy = std::make_shared<std::atomic<bool>>(false)](int candidate) {
+      if(is_busy->exchange(true))
+        is_shared = true;
+      std::this_thread::yield();
+      internal::Minimized_map map;
+      map.report.l2 = candidate;
+      *is_busy = false;
+      return map;
+    };
+  };
+  Candidate_evaluation evaluation(300, make_worker, 8, nullptr, {});
+  evaluation(all_of(Stretch_curve(300)));
+  CHECK_FALSE(is_shared);
+}

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TEST_COMMAND_LINE_PROCESS_H
+#define TEST_COMMAND_LINE_PROCESS_H
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Runs the built command as a process, in folders that vanish.
+
+inline std::string read_file(const std::filesystem::path& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+inline void write_file(const std::filesystem::path& path, const std::string& text)
+{
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// a new empty folder that is removed with all it holds
+class Temporary_folder
+{
+public:
+  Temporary_folder()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "square_map_test_XXXXXX").string();
+    if(mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("cannot make a folder " + name);
+    m_path = name;
+  }
+
+  Temporary_folder(const Temporary_folder&) = delete;
+  Temporary_folder& operator=(const Temporary_folder&) = delete;
+
+  ~Temporary_folder()
+  {
+    std::error_code error;
+    std::filesystem::remove_all(m_path, error);
+  }
+
+  std::string operator/(const std::string& name) const { return (m_path / name).string(); }
+
+  /// writes a file and returns its path
+  std::string add(const std::string& name, const std::string& text) const
+  {
+    write_file(m_path / name, text);
+    return *this / name;
+  }
+
+  std::set<std::string> file_names() const
+  {
+    std::set<std::string> names;
+    for(const auto& entry : std::filesystem::directory_iterator(m_path))
+      names.insert(entry.path().filename().string());
+    return names;
+  }
+
+private:
+  std::filesystem::path m_path;
+};
+
+struct Finished_process
+{
+  int status = -1; ///< exit status; minus the signal of a process that was killed
+  std::string out, err;
+};
+
+/// runs square_map with its output in files; \p out_file, such as a device, may take the place of the first of them
+inline Finished_process square_map(const std::vector<std::string>& arguments, const std::string& out_file = "")
+{
+  const Temporary_folder folder;
+  const std::string out = out_file.empty() ? folder / "out" : out_file, err = folder / "err";
+  std::vector<char*> argv{const_cast<char*>(SQUARE_MAP)};
+  for(const std::string& argument : arguments)
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  if(child == 0) {
+    const auto redirect = [](const std::string& path, int descriptor) {
+      dup2(open(path.c_str(), O_WRONLY | O_CREAT, 0600), descriptor);
+    };
+    redirect(out, STDOUT_FILENO);
+    redirect(err, STDERR_FILENO);
+    execv(SQUARE_MAP, argv.data());
+    _exit(127);
+  }
+  Finished_process result;
+  int status = 0;
+  waitpid(child, &status, 0);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  if(out_file.empty())
+    result.out = read_file(out);
+  result.err = read_file(err);
+  return result;
+}
+
+#endif // TEST_COMMAND_LINE_PROCESS_H

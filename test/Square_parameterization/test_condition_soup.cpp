@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using namespace CGAL_ext::internal;
+using Catch::Matchers::Contains;
+
+namespace {
+
+typedef std::vector<std::vector<std::size_t>> Faces;
+
+constexpr std::size_t DROPPED = Conditioning_report::DROPPED;
+
+Surface_soup soup_of(const Flat_mesh& mesh)
+{
+  Surface_soup soup{mesh.points, {}};
+  for(const auto& t : mesh.triangles)
+    soup.faces.emplace_back(t.begin(), t.end());
+  return soup;
+}
+
+/// points in no particular place: the conditioning looks at the faces alone
+Surface_soup soup_of(std::size_t number_of_points, const Faces& faces)
+{
+  Surface_soup soup{{}, faces};
+  for(std::size_t v = 0; v < number_of_points; ++v)
+    soup.points.emplace_back(double(v), 0, 0);
+  return soup;
+}
+
+/// the message with which the soup is refused; fails when the code is not the expected one
+std::string refusal(Surface_soup soup, SMP::Error_code code = SMP::ERROR_NO_TOPOLOGICAL_DISC)
+{
+  try {
+    condition_soup(soup);
+  } catch(const Unmappable& error) {
+    CHECK(error.code() == code);
+    return error.what();
+  }
+  return "not refused";
+}
+
+/// every interior edge is run through once in each direction
+bool is_oriented(const Surface_soup& soup)
+{
+  std::map<std::pair<std::size_t, std::size_t>, int> count;
+  for(const auto& face : soup.faces)
+    for(int k = 0; k < 3; ++k)
+      if(++count[{face[k], face[(k + 1) % 3]}] > 1)
+        return false;
+  return true;
+}
+
+/// a ring of `n` quadrilaterals, each cut in two, closed with a twist or without
+Faces band(std::size_t n, bool is_twisted)
+{
+  Faces faces;
+  for(std::size_t i = 0; i < n; ++i) {
+    const std::size_t a = 2 * i, b = 2 * i + 1;
+    std::size_t c = 2 * ((i + 1) % n), d = c + 1;
+    if(is_twisted && i + 1 == n)
+      std::swap(c, d);
+    faces.push_back({a, c, b});
+    faces.push_back({b, c, d});
+  }
+  return faces;
+}
+
+/// a torus of m x n quadrilaterals, each cut in two
+Faces torus(std::size_t m, std::size_t n)
+{
+  Faces faces;
+  const auto index = [m, n](std::size_t i, std::size_t j) { return (i % m) * n + j % n; };
+  for(std::size_t i = 0; i < m; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      faces.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
+      faces.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
+    }
+  return faces;
+}
+
+Faces without_first(Faces faces)
+{
+  faces.erase(faces.begin());
+  return faces;
+}
+
+const Faces TETRAHEDRON{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+} // namespace
+
+TEST_CASE("an oriented disk is left alone")
+{
+  const Surface_soup original = soup_of(saddle(5));
+  Surface_soup soup = original;
+  const Conditioning_report report = condition_soup(soup);
+  CHECK(report.faces_reoriented == 0);
+  CHECK(report.vertices_dropped == 0);
+  CHECK(soup.faces == original.faces);
+  CHECK(soup.points == original.points);
+  for(std::size_t v = 0; v < original.points.size(); ++v)
+    CHECK(report.new_index[v] == v);
+}
+
+TEST_CASE("the minority of the faces is turned round")
+{
+  const Surface_soup original = soup_of(saddle(6));
+  Surface_soup soup = original;
+  Random_numbers random(31);
+  std::size_t turned = 0;
+  for(auto& face : soup.faces)
+    if(random(0, 1) < 0.3) {
+      std::reverse(face.begin(), face.end());
+      ++turned;
+    }
+  const Conditioning_report report = condition_soup(soup);
+  CHECK(report.faces_reoriented == turned);
+  CHECK(soup.faces == original.faces);
+}
+
+TEST_CASE("when most faces are turned the others follow, the first face too")
+{
+  Surface_soup soup = soup_of(saddle(6));
+  for(std::size_t f = 1; f < soup.faces.size(); ++f)
+    std::reverse(soup.faces[f].begin(), soup.faces[f].end());
+  const Faces expected_rest(soup.faces.begin() + 1, soup.faces.end());
+  CHECK(condition_soup(soup).faces_reoriented == 1);
+  CHECK(is_oriented(soup));
+  CHECK(Faces(soup.faces.begin() + 1, soup.faces.end()) == expected_rest);
+}
+
+TEST_CASE("isolated vertices are dropped and the others keep their order")
+{
+  Surface_soup soup = soup_of(7, {{1, 3, 4}, {1, 4, 6}});
+  const Conditioning_report report = condition_soup(soup);
+  CHECK(report.vertices_dropped == 3);
+  CHECK(report.new_index == std::vector<std::size_t>{DROPPED, 0, DROPPED, 1, 2, DROPPED, 3});
+  CHECK(soup.faces == Faces{{0, 1, 2}, {0, 2, 3}});
+  REQUIRE(soup.points.size() == 4);
+  CHECK(soup.points[0].x() == 1);
+  CHECK(soup.points[3].x() == 6);
+}
+
+TEST_CASE("a soup without faces is empty")
+{
+  CHECK_THAT(refusal(soup_of(3, {}), SMP::ERROR_EMPTY_MESH), Contains("no faces"));
+}
+
+TEST_CASE("faces that are not triangles are counted and named")
+{
+  const auto code = SMP::ERROR_NON_TRIANGULAR_MESH;
+  CHECK_THAT(refusal(soup_of(6, {{0, 1, 2}, {2, 1, 3, 4}, {4, 3, 5}, {0, 2, 4, 5, 3}}), code),
+             Contains("2 non-triangular faces (face 1 has 4 vertices, face 3 has 5 vertices)"));
+  CHECK_THAT(refusal(soup_of(4, Faces(9, {0, 1, 2, 3})), code), Contains("9 non-triangular faces") && Contains("..."));
+  CHECK_THAT(refusal(soup_of(3, {{0, 1, 2}, {1, 2}}), code), Contains("1 non-triangular face (face 1 has 2 vertices)"));
+}
+
+TEST_CASE("faces that repeat a vertex are counted and named")
+{
+  CHECK_THAT(refusal(soup_of(4, {{0, 1, 2}, {1, 1, 2}, {2, 3, 2}}), SMP::ERROR_NON_TRIANGULAR_MESH),
+             Contains("2 faces that repeat a vertex (face 1, face 2)"));
+}
+
+TEST_CASE("non-manifold edges are counted, their vertices named")
+{
+  CHECK_THAT(refusal(soup_of(6, {{3, 5, 0}, {5, 3, 1}, {3, 5, 2}})),
+             Contains("1 non-manifold edge (vertices 3 and 5)"));
+}
+
+TEST_CASE("a Moebius band is not orientable, a plain band is an annulus")
+{
+  CHECK_THAT(refusal(soup_of(10, band(5, true))), Contains("not orientable"));
+  const std::string annulus = refusal(soup_of(10, band(5, false)));
+  CHECK_THAT(annulus, Contains("2 border loops"));
+  CHECK_THAT(annulus, !Contains("genus"));
+}
+
+TEST_CASE("components are counted, isolated vertices are none")
+{
+  CHECK_THAT(refusal(soup_of(11, {{0, 1, 2}, {4, 5, 6}, {7, 8, 9}})), Contains("3 connected components"));
+}
+
+TEST_CASE("a closed surface has no border, and its genus is told")
+{
+  const std::string sphere = refusal(soup_of(4, TETRAHEDRON));
+  CHECK_THAT(sphere, Contains("closed: it has no border"));
+  CHECK_THAT(sphere, !Contains("genus"));
+
+  const std::string closed_torus = refusal(soup_of(20, torus(4, 5)));
+  CHECK_THAT(closed_torus, Contains("closed: it has no border"));
+  CHECK_THAT(closed_torus, Contains("genus 1"));
+
+  const std::string open_torus = refusal(soup_of(20, without_first(torus(4, 5))));
+  CHECK_THAT(open_torus, Contains("genus 1"));
+  CHECK_THAT(open_torus, !Contains("border"));
+}
+
+TEST_CASE("two tori joined at a hole have genus two")
+{
+  // the second torus without its first face, glued along it to the first: its vertices 0, 5, 6 are those of the first
+  Faces faces = without_first(torus(4, 5));
+  for(auto face : without_first(torus(4, 5))) {
+    for(std::size_t& v : face)
+      v = v == 0 || v == 5 || v == 6 ? v : v + 20;
+    std::reverse(face.begin(), face.end());
+    faces.push_back(face);
+  }
+  CHECK_THAT(refusal(soup_of(40, faces)), Contains("genus 2"));
+}
+
+TEST_CASE("a mis-oriented tetrahedron without a face is a disk")
+{
+  Faces faces = without_first(TETRAHEDRON);
+  std::reverse(faces[1].begin(), faces[1].end());
+  Surface_soup soup = soup_of(4, faces);
+  CHECK(condition_soup(soup).faces_reoriented == 1);
+  CHECK(is_oriented(soup));
+}
+
+TEST_CASE("vertices where two fans meet are counted and named")
+{
+  // two triangles that share vertex 2 alone
+  CHECK_THAT(refusal(soup_of(5, {{0, 1, 2}, {2, 3, 4}})), Contains("1 non-manifold vertex (vertex 2)"));
+  // a ring of triangles closed at one vertex, 0: the border passes it twice
+  CHECK_THAT(refusal(soup_of(6, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 0}})),
+             Contains("1 non-manifold vertex (vertex 0)"));
+  // two closed surfaces that touch in a point
+  Faces two = TETRAHEDRON;
+  for(auto face : TETRAHEDRON) {
+    for(std::size_t& v : face)
+      v = v == 0 ? 0 : v + 3;
+    two.push_back(face);
+  }
+  CHECK_THAT(refusal(soup_of(7, two)), Contains("1 non-manifold vertex (vertex 0)"));
+}

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "search_curve.h"
+#include "test_meshes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL_ext;
+
+namespace {
+
+Stretch_curve smooth_curve(int n, double phase)
+{
+  Stretch_curve curve;
+  for(int k = 0; k < n; ++k)
+    curve.push_back(1.5 + std::cos(2 * EIGEN_PI * (k - phase) / n) / 4);
+  return curve;
+}
+
+int minimum_of(const Stretch_curve& curve)
+{
+  return static_cast<int>(std::min_element(curve.begin(), curve.end()) - curve.begin());
+}
+
+} // namespace
+
+TEST_CASE("brute force finds the optimum with one evaluation per candidate")
+{
+  for(const Corner_search& search :
+      {Corner_search(Brute_force_corner_search()), Corner_search(Quarter_brute_force_corner_search())})
+    for(double phase : {0., 3.3, 17.}) {
+      const Stretch_curve curve = smooth_curve(37, phase);
+      const Search_report report = search_curve(curve, search);
+      CHECK(report.best_candidate == minimum_of(curve));
+      CHECK(report.best_stretch == curve[minimum_of(curve)]);
+      CHECK(report.evaluations == 37);
+      CHECK(report.candidates == 37);
+      REQUIRE(report.curve.size() == 37);
+      for(int k = 0; k < 37; ++k)
+        CHECK((report.curve[k].candidate == k && report.curve[k].stretch == curve[k]));
+    }
+}
+
+TEST_CASE("brute force passes over candidates without a map")
+{
+  Stretch_curve curve = smooth_curve(20, 4);
+  const int best = minimum_of(curve);
+  curve[best] = INFEASIBLE;
+  CHECK(search_curve(curve, Brute_force_corner_search()).best_candidate == minimum_of(curve));
+  CHECK(search_curve(Stretch_curve(20, INFEASIBLE), Brute_force_corner_search()).best_candidate == -1);
+}
+
+TEST_CASE("no search evaluates the first candidate alone")
+{
+  const Stretch_curve curve = smooth_curve(20, 4);
+  const Search_report report = search_curve(curve, First_candidate_corner_search());
+  CHECK(report.best_candidate == 0);
+  CHECK(report.evaluations == 1);
+  CHECK(report.candidates == 20);
+}
+
+TEST_CASE("a strategy says from which candidates it chooses")
+{
+  CHECK(Corner_search(Brute_force_corner_search()).candidate_set() == Candidate_set::FULL);
+  CHECK(Corner_search(Quarter_brute_force_corner_search()).candidate_set() == Candidate_set::QUARTER);
+  CHECK(Corner_search(First_candidate_corner_search()).candidate_set() == Candidate_set::QUARTER);
+}
+
+TEST_CASE("a single candidate is enough for every strategy")
+{
+  for(const Corner_search& search :
+      {Corner_search(Brute_force_corner_search()), Corner_search(Quarter_brute_force_corner_search()),
+       Corner_search(First_candidate_corner_search())}) {
+    const Search_report report = search_curve({1.25}, search);
+    CHECK(report.best_candidate == 0);
+    CHECK(report.best_stretch == 1.25);
+    CHECK(report.evaluations == 1);
+  }
+}
+
+TEST_CASE("a strategy that is cancelled reports the best so far")
+{
+  const Stretch_curve curve = smooth_curve(30, 0);
+  int asked = 0;
+  const Search_report report =
+      search_curve(curve, Brute_force_corner_search(), {1, nullptr, [&](double) { return ++asked <= 10; }});
+  CHECK(report.is_cancelled);
+  CHECK(report.evaluations == 10);
+  CHECK(report.best_candidate == 9); // the curve falls from 0 to 15, and one thread goes in order
+}
+
+TEST_CASE("a strategy of the user sees the number of candidates and their stretch")
+{
+  struct Every_third_corner_search
+  {
+    Candidate_set candidate_set() const { return Candidate_set::FULL; }
+
+    void operator()(const Corner_search_problem& problem) const
+    {
+      for(int k = 0; k < problem.number_of_candidates; k += 3)
+        problem.stretch_of({k});
+    }
+  };
+  Stretch_curve curve(10, 2.);
+  curve[6] = 1;
+  curve[7] = 0.5;
+  const Search_report report = search_curve(curve, Every_third_corner_search());
+  CHECK(report.evaluations == 4);
+  CHECK(report.best_candidate == 6);
+}

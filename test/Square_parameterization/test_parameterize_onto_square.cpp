@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "reference_stretch.h"
+#include "square_map_case.h"
+
+#include <tbb/global_control.h>
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL_ext;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Square_map_options with_corners(const std::array<std::size_t, 4>& corners)
+{
+  Square_map_options options;
+  options.corners = corners;
+  return options;
+}
+
+} // namespace
+
+TEST_CASE("the result tells the map")
+{
+  const Flat_mesh flat = noisy_height_field(6);
+  Square_map_options options;
+  options.search = Quarter_brute_force_corner_search();
+  const auto [result, uv] = map_onto_square(flat, options);
+  REQUIRE(result.status == SMP::OK);
+  CHECK(result.message.empty());
+  CHECK(result.chords_split == 0);
+  CHECK(result.border_edges == 24);
+  REQUIRE(result.corners.size() == 4);
+  const Eigen::Vector2d expected[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for(int k = 0; k < 4; ++k)
+    CHECK(uv[result.corners[k]] == expected[k]);
+
+  CHECK(result.search.evaluations == std::size_t(result.search.candidates));
+  CHECK(result.search.curve.size() == result.search.evaluations);
+  CHECK(result.search.candidates >= 5);
+  CHECK(result.search.candidates <= 8);
+  for(const auto& sample : result.search.curve)
+    CHECK(sample.stretch >= result.search.best_stretch);
+
+  const Reference_stretch reference = reference_stretch(flat.points, flat.triangles, uv);
+  CHECK(result.search.best_stretch == Approx(reference.l2).epsilon(1e-12));
+  CHECK(result.minimization.l2 == result.search.best_stretch);
+  CHECK(result.measures.l2 == Approx(reference.l2).epsilon(1e-12));
+  CHECK(result.measures.linf == Approx(reference.linf).epsilon(1e-10));
+  CHECK(result.measures.uv_area == Approx(1).epsilon(1e-14));
+  CHECK(result.measures.flipped_faces == 0);
+}
+
+TEST_CASE("every candidate of brute force is what its corners give")
+{
+  const Flat_mesh flat = saddle(4);
+  Square_map_options options;
+  options.search = Brute_force_corner_search();
+  const Result result = map_onto_square(flat, options).result;
+  REQUIRE(result.search.evaluations == 16);
+  std::array<std::size_t, 4> corners{};
+  std::copy(result.corners.begin(), result.corners.end(), corners.begin());
+  const Result again = map_onto_square(flat, with_corners(corners)).result;
+  CHECK(again.search.best_stretch == result.search.best_stretch);
+  CHECK(again.corners == result.corners);
+}
+
+TEST_CASE("a flat square with its own corners is mapped to itself by weights with linear precision")
+{
+  const Flat_mesh flat = unit_square(8);
+  Square_map_options options = with_corners({0, 8, 80, 72});
+  options.minimization.weights = Mean_value_weights();
+  const auto [result, uv] = map_onto_square(flat, options);
+  REQUIRE(result.status == SMP::OK);
+  CHECK(std::abs(result.measures.l2 - 1) < 1e-12);
+  for(std::size_t v = 0; v < uv.size(); ++v)
+    CHECK((uv[v] - flat.points[v].head<2>()).norm() < 1e-10);
+}
+
+TEST_CASE("corners that are not four border vertices in order are refused")
+{
+  const Flat_mesh flat = unit_square(4); // corners 0, 4, 24, 20; vertex 12 is inside
+  const auto status_of = [&](const std::array<std::size_t, 4>& corners) {
+    return map_onto_square(flat, with_corners(corners)).result.status;
+  };
+  CHECK(status_of({4, 24, 20, 0}) == SMP::OK);
+  CHECK(status_of({0, 20, 24, 4}) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of({0, 24, 4, 20}) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of({0, 0, 24, 20}) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of({0, 4, 24, 999}) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK_THAT(map_onto_square(flat, with_corners({0, 12, 24, 20})).result.message, Contains("corner vertex 12 "));
+}
+
+TEST_CASE("numbers out of range are refused")
+{
+  const double eta = GENERATE(0., -1., 1.0001, std::nan(""));
+  Square_map_options options;
+  options.minimization.eta = eta;
+  CHECK(map_onto_square(unit_square(3), options).result.status == SMP::ERROR_WRONG_PARAMETER);
+
+  Surface_mesh mesh = make_mesh<Surface_mesh>(unit_square(3));
+  typedef Stretch_minimizing_parameterizer_3<Surface_mesh> Parameterizer;
+  typedef Parameterizer::Border_parameterizer Border;
+  CHECK(parameterize(mesh, Parameterizer(Border(), Blended_weights(), eta)).status == SMP::ERROR_WRONG_PARAMETER);
+}
+
+TEST_CASE("another vertex point map may follow the options")
+{
+  typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
+  // the same triangles with other points
+  const Flat_mesh flat = rectangle(5, 5, 1, 1, 1);
+  const Flat_mesh bent = transformed(
+      flat, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), p.y(), p.x() * p.x() + p.y() / 2); });
+  Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
+  auto points = mesh.add_property_map<vertex_descriptor, Kernel::Point_3>("v:bent").first;
+  for(vertex_descriptor v : mesh.vertices())
+    points[v] = Kernel::Point_3(bent.points[v].x(), bent.points[v].y(), bent.points[v].z());
+
+  Uv_storage<Surface_mesh, Point_2> storage;
+  const auto options = CGAL_ext::parameters::options(Square_map_options());
+  REQUIRE(parameterize_onto_square(mesh, storage.map(), options.vertex_point_map(points)).status == SMP::OK);
+  CHECK(largest_difference(storage.points(mesh), map_onto_square(bent).uv) == 0);
+  CHECK(largest_difference(storage.points(mesh), map_onto_square(flat).uv) > 1e-3);
+}
+
+TEST_CASE("the map does not depend on the scale and the place of the mesh")
+{
+  const Flat_mesh flat = noisy_height_field(6);
+  const std::vector<Eigen::Vector2d> expected = map_onto_square(flat).uv;
+  CHECK(largest_difference(map_onto_square(scaled(flat, 1e-8)).uv, expected) < 1e-10);
+  CHECK(largest_difference(map_onto_square(scaled(flat, 1e8)).uv, expected) < 1e-10);
+  // coordinates near 1e3 are rounded to 1e-13
+  CHECK(largest_difference(map_onto_square(translated(flat, {1e3, -1e3, 1e3})).uv, expected) < 1e-9);
+}
+
+TEST_CASE("the map is the same to the last bit for any number of threads")
+{
+  const tbb::global_control allow_more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
+  const Flat_mesh flat = noisy_height_field(9);
+  Square_map_options options;
+  options.search = Brute_force_corner_search();
+  options.search_options.number_of_threads = 1;
+  const Square_map expected = map_onto_square(flat, options);
+  for(unsigned int threads : {2, 8, 0}) {
+    options.search_options.number_of_threads = threads;
+    const Square_map map = map_onto_square(flat, options);
+    CHECK(map.uv == expected.uv);
+    CHECK(map.result.corners == expected.result.corners);
+    REQUIRE(map.result.search.curve.size() == expected.result.search.curve.size());
+    for(std::size_t i = 0; i < map.result.search.curve.size(); ++i)
+      CHECK(map.result.search.curve[i].stretch == expected.result.search.curve[i].stretch);
+  }
+}
+
+TEST_CASE("the visitor is told of the search and of the minimization")
+{
+  Recording_visitor visitor;
+  Square_map_options options;
+  options.search_options.visitor = &visitor;
+  const Result result = map_onto_square(saddle(6), options).result;
+  REQUIRE(visitor.starts.size() == 1);
+  REQUIRE(visitor.searches.size() == 1);
+  REQUIRE(visitor.minimizations.size() == 1);
+  CHECK(visitor.starts[0] == std::size_t(result.search.candidates));
+  CHECK(visitor.evaluations == result.search.evaluations);
+  CHECK(visitor.searches[0].best_stretch == result.search.best_stretch);
+  CHECK(visitor.searches[0].corners == result.search.corners);
+  CHECK(visitor.minimizations[0].l2_history == result.minimization.l2_history);
+}
+
+TEST_CASE("a cancelled search delivers the best map so far")
+{
+  Square_map_options options;
+  options.search = Brute_force_corner_search();
+  options.search_options.number_of_threads = 1;
+  options.search_options.callback = [](double share) { return share < 0.5; };
+  const auto [result, uv] = map_onto_square(saddle(5), options);
+  CHECK(result.status == SMP::OK);
+  CHECK(result.search.is_cancelled);
+  CHECK(result.search.evaluations == 10);
+  CHECK(uv.size() == 36);
+}
+
+TEST_CASE("the walk and the corner rule change the corners, not the orientation")
+{
+  for(Walk walk : {Walk::COUNTER_CLOCKWISE, Walk::CLOCKWISE})
+    for(Corner_rule rule : {Corner_rule::AUTHOR, Corner_rule::NEAREST}) {
+      Square_map_options options;
+      options.search_options.walk = walk;
+      options.search_options.corner_rule = rule;
+      const auto [result, uv] = map_onto_square(noisy_height_field(6), options); // checks the orientation
+      REQUIRE(result.status == SMP::OK);
+      CHECK(uv[result.corners[1]] == Eigen::Vector2d(1, 0));
+      CHECK(uv[result.corners[3]] == Eigen::Vector2d(0, 1));
+    }
+}
+
+TEST_CASE("corners are counted in the order of the vertices of the mesh, isolated ones included")
+{
+  Flat_mesh flat = unit_square(4);
+  for(auto& t : flat.triangles)
+    for(int& v : t)
+      ++v;
+  flat.points.insert(flat.points.begin(), Eigen::Vector3d(9, 9, 9));
+  Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
+  Uv_storage<Surface_mesh, Point_2> storage;
+  const Result result =
+      parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(with_corners({1, 5, 25, 21})));
+  REQUIRE(result.status == SMP::OK);
+  CHECK(result.corners[0] == vertex_at(mesh, 1));
+  CHECK(get(storage.map(), vertex_at(mesh, 25)) == Point_2(1, 1));
+}

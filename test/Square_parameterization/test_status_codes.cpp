@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What cannot be mapped is refused with the code that says why, and no uv is written.
+
+#include "mesh_types.h"
+
+#include <CGAL_ext/Square_parameterization/Circular_border_arc_length_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/Square_border_arc_length_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
+
+#include <CGAL/boost/graph/generators.h>
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace CGAL_ext;
+
+namespace {
+
+typedef boost::graph_traits<Surface_mesh>::halfedge_descriptor halfedge_descriptor;
+typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
+
+/// the status of the plug-in, called without CGAL's free function, which demands a border halfedge
+SMP::Error_code plug_in_status(Surface_mesh& mesh, halfedge_descriptor bhd)
+{
+  Uv_storage<Surface_mesh, Point_2> storage;
+  std::map<vertex_descriptor, int> indices;
+  std::map<vertex_descriptor, bool> marks;
+  Stretch_minimizing_parameterizer_3<Surface_mesh> parameterizer;
+  const SMP::Error_code status = parameterizer.parameterize(
+      mesh, bhd, storage.map(), boost::make_assoc_property_map(indices), boost::make_assoc_property_map(marks));
+  for(vertex_descriptor v : mesh.vertices())
+    CHECK(storage.contains(v) == (status == SMP::OK));
+  return status;
+}
+
+SMP::Error_code plug_in_status(Surface_mesh& mesh)
+{
+  return plug_in_status(mesh, first_border_halfedge_of(mesh));
+}
+
+SMP::Error_code one_call_status(Surface_mesh& mesh)
+{
+  Uv_storage<Surface_mesh, Point_2> storage;
+  const auto result = parameterize_onto_square(mesh, storage.map());
+  CHECK(result.message.empty() == (result.status == SMP::OK));
+  for(vertex_descriptor v : mesh.vertices())
+    CHECK(storage.contains(v) == (result.status == SMP::OK));
+  return result.status;
+}
+
+/// a square with a square hole: 16 vertices in a grid, the middle cell left out
+Surface_mesh annulus()
+{
+  Flat_mesh flat = rectangle(3, 3, 3, 3, 1, 0);
+  flat.triangles.erase(flat.triangles.begin() + 8, flat.triangles.begin() + 10);
+  return make_mesh<Surface_mesh>(flat);
+}
+
+Surface_mesh torus_with_hole()
+{
+  const int n = 5;
+  Flat_mesh flat;
+  const auto index = [](int i, int j) { return (i % n) * n + j % n; };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j) {
+      const double s = 2 * EIGEN_PI * i / n, t = 2 * EIGEN_PI * j / n, r = 3 + std::cos(t);
+      flat.points.emplace_back(r * std::cos(s), r * std::sin(s), std::sin(t));
+      if(i == 0 && j == 0)
+        continue; // the hole has four border edges
+      flat.triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
+      flat.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
+    }
+  return make_mesh<Surface_mesh>(flat);
+}
+
+} // namespace
+
+TEST_CASE("a closed surface has no border")
+{
+  Surface_mesh mesh;
+  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
+                         Kernel::Point_3(0, 0, 1), mesh);
+  CHECK(plug_in_status(mesh, boost::graph_traits<Surface_mesh>::null_halfedge()) == SMP::ERROR_BORDER_TOO_SHORT);
+  CHECK(plug_in_status(mesh, *mesh.halfedges().begin()) == SMP::ERROR_BORDER_TOO_SHORT);
+  CHECK(one_call_status(mesh) != SMP::OK);
+}
+
+TEST_CASE("a mesh without faces is refused")
+{
+  Surface_mesh mesh;
+  CHECK(one_call_status(mesh) != SMP::OK);
+}
+
+TEST_CASE("a surface with two borders is no disk")
+{
+  Surface_mesh mesh = annulus();
+  CHECK(plug_in_status(mesh) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+  CHECK(one_call_status(mesh) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+}
+
+TEST_CASE("a torus with one border is no disk")
+{
+  Surface_mesh mesh = torus_with_hole();
+  CHECK(plug_in_status(mesh) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+  CHECK(one_call_status(mesh) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+}
+
+TEST_CASE("a quadrilateral is no triangle")
+{
+  Surface_mesh mesh;
+  CGAL::make_grid(3, 3, mesh);
+  CHECK(plug_in_status(mesh) == SMP::ERROR_NON_TRIANGULAR_MESH);
+  CHECK(one_call_status(mesh) == SMP::ERROR_NON_TRIANGULAR_MESH);
+}
+
+TEST_CASE("three border vertices are too few for a square")
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(
+      polar_disk(2, 3, 1, [](double r, double t) { return Eigen::Vector3d(r * cos(t), r * sin(t), 0); }));
+  CHECK(plug_in_status(mesh) == SMP::ERROR_BORDER_TOO_SHORT);
+  CHECK(one_call_status(mesh) == SMP::ERROR_BORDER_TOO_SHORT);
+}
+
+TEST_CASE("coordinates that are not finite, and faces without area, are refused")
+{
+  Flat_mesh flat = unit_square(4);
+  SECTION("NaN")
+  {
+    flat.points[12].z() = std::numeric_limits<double>::quiet_NaN();
+    Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
+    CHECK(plug_in_status(mesh) == SMP::ERROR_WRONG_PARAMETER);
+    CHECK(one_call_status(mesh) == SMP::ERROR_WRONG_PARAMETER);
+  }
+  SECTION("two interior vertices in one place")
+  {
+    flat.points[12] = flat.points[13];
+    Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
+    CHECK(plug_in_status(mesh) == SMP::ERROR_NO_1_TO_1_MAPPING);
+    CHECK(one_call_status(mesh) == SMP::ERROR_NO_1_TO_1_MAPPING);
+  }
+  SECTION("a border edge without length")
+  {
+    flat.points[1] = flat.points[2];
+    Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
+    CHECK(plug_in_status(mesh) == SMP::ERROR_BORDER_TOO_SHORT);
+    CHECK(one_call_status(mesh) == SMP::ERROR_BORDER_TOO_SHORT);
+  }
+}
+
+TEST_CASE("the borders without a search refuse what they cannot place")
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(unit_square(3));
+  const auto status_of = [&](const auto& border, halfedge_descriptor bhd) {
+    Uv_storage<Surface_mesh, Point_2> storage;
+    std::map<vertex_descriptor, bool> marks;
+    return border.parameterize(mesh, bhd, storage.map(), 0, boost::make_assoc_property_map(marks));
+  };
+  typedef Square_border_arc_length_parameterizer_3<Surface_mesh> Square;
+  typedef Circular_border_arc_length_parameterizer_3<Surface_mesh> Circle;
+  const halfedge_descriptor bhd = first_border_halfedge_of(mesh);
+  const auto corner = [&](int k) { return vertex_at(mesh, k); };
+  CHECK(status_of(Square(), bhd) == SMP::OK);
+  CHECK(status_of(Square(corner(0), corner(3), corner(15), corner(12)), bhd) == SMP::OK);
+  CHECK(status_of(Square(corner(0), corner(12), corner(15), corner(3)), bhd) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of(Square(corner(0), corner(5), corner(15), corner(12)), bhd) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of(Square(), Surface_mesh::null_halfedge()) == SMP::ERROR_BORDER_TOO_SHORT);
+  CHECK(status_of(Circle(), bhd) == SMP::OK);
+  CHECK(status_of(Circle(), Surface_mesh::null_halfedge()) == SMP::ERROR_BORDER_TOO_SHORT);
+  CHECK(status_of(Circle(0), bhd) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of(Circle(-1), bhd) == SMP::ERROR_WRONG_PARAMETER);
+}

@@ -36,5 +36,5 @@ public:
 
   Complexity: should be linear in the number of faces; it is called once per disk.
   */
-  unspecified_type operator()(const unspecified_type &patch) const;
+  unspecified_type operator()(const unspecified_type& patch) const;
 };

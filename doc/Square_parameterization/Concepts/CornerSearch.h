@@ -42,5 +42,5 @@ public:
 
   \pre `problem.number_of_candidates` is at least 1
   */
-  void operator()(const CGAL_ext::Corner_search_problem &problem) const;
+  void operator()(const CGAL_ext::Corner_search_problem& problem) const;
 };

@@ -66,7 +66,7 @@ inline double normalise_coordinates(std::vector<Eigen::Vector3d>& points)
   const double largest = (std::max)(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   const double radius = (box.max() - center).cwiseAbs().maxCoeff();
   if(!(radius > 0))
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
                      "the surface has no extent: all its vertices coincide");
   const int exponent = -std::ilogb(radius);
   for(Eigen::Vector3d& p : points)

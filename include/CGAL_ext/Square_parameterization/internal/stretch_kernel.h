@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/Patch.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -44,10 +45,12 @@ inline Triangle_stretch triangle_stretch(const Flat_triangle& shape, const Uv_co
     return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), determinant / 2};
   const Eigen::RowVector2d across = (shape.x1 * db - shape.x2 * da) / determinant;
   const Eigen::RowVector2d along = shape.y2 * da / determinant;
-  const double sum = across.squaredNorm() + along.squaredNorm(); // s1^2 + s2^2 of the Jacobian
-  const double product = shape.x1 * shape.y2 / determinant;      // s1 s2
-  const double spread = std::sqrt((std::max)(0., (sum - 2 * product) * (sum + 2 * product)));
-  return {sum / 2, std::sqrt((sum + spread) / 2), determinant / 2};
+  // the largest singular value, as half the sum of two lengths: a root of a difference of squares would lose half the
+  // digits near an isometry
+  const double largest = (std::hypot(across.x() + along.y(), across.y() - along.x()) +
+                          std::hypot(across.x() - along.y(), across.y() + along.x())) /
+                         2;
+  return {(across.squaredNorm() + along.squaredNorm()) / 2, largest, determinant / 2};
 }
 
 /// sum over the triangles of L2(T)^2 times the surface area of T; infinite when a triangle is not counter-clockwise.

@@ -14,7 +14,9 @@ namespace CGAL_ext {
 /// why a minimization ended
 enum class Stop_reason
 {
-  STRETCH_GROWS,      ///< as many iterates in a row as the patience allows were not lower: the normal end
+  STRETCH_GROWS,      ///< as many iterates in a row as the patience allows were not lower: the iteration's normal end
+  CONVERGED,          ///< the next Newton step promises less than the tolerance: the minimizer's normal end
+  NO_LOWER_MAP,       ///< no step along the Newton direction is lower: rounding is reached
   MAXIMUM_ITERATIONS, ///< the given number of iterations was reached
   CANNOT_SOLVE,       ///< a linear system could not be solved; the best iterate before it, if any, is kept
   INFEASIBLE_BORDER   ///< an interior edge has both ends on one side of the square: no one-to-one map exists
@@ -25,10 +27,13 @@ enum class Stop_reason
 /// says how a stretch-minimizing map was reached
 struct Minimization_report
 {
+  /// what was minimised, of the map that was kept: its L2 stretch, or its balanced energy; dimensionless
+  double objective = std::numeric_limits<double>::infinity();
   double l2 = std::numeric_limits<double>::infinity(); ///< L2 stretch of the map that was kept; dimensionless, least 1
-  unsigned int iterations = 0;                         ///< number of linear systems solved after the first
-  unsigned int best_iteration = 0;                     ///< the one whose map was kept; 0 is the first system
-  std::vector<double> l2_history;                      ///< L2 stretch after each system, `iterations` + 1 values
+  unsigned int iterations = 0;                         ///< number of linear systems solved after the start
+  unsigned int best_iteration = 0;                     ///< the one whose map was kept; 0 is the start
+  std::vector<double> history;                         ///< the objective at the start and after each system
+  double gradient_norm = 0;                            ///< at the end; of the balanced minimizer
   Stop_reason stop_reason = Stop_reason::INFEASIBLE_BORDER; ///< why the iteration ended
 };
 

@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZATION_H
 
 #include <CGAL_ext/Square_parameterization/base_weights.h>
-#include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/Map_minimizer.h>
 
 #include <functional>
 
@@ -40,6 +40,13 @@ struct Stretch_minimization
                  const internal::Linear_solver_factory& make_solver = internal::make_direct_solver) const
   {
     return {patch, weights(patch), make_solver, {eta, patience, maximum_iterations}};
+  }
+
+  internal::Map_minimizer
+  make_minimizer(const internal::Patch& patch,
+                 const internal::Linear_solver_factory& make_solver = internal::make_direct_solver) const
+  {
+    return {patch, make_iteration(patch, make_solver)};
   }
   /// \endcond
 };

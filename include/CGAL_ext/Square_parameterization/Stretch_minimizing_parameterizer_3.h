@@ -106,16 +106,17 @@ public:
       const Triangle_mesh& const_mesh = mesh;
       const auto [patch, vertices] =
           internal::make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
-      const internal::Stretch_iteration iteration = m_minimization.make_iteration(patch, &make_solver);
+      const internal::Map_minimizer minimizer = m_minimization.make_minimizer(patch, &make_solver);
       if constexpr(searches_corners<Border_parameterizer>::value) {
-        const internal::Search_outcome outcome = m_border.search(patch, iteration);
+        const internal::Search_outcome outcome = m_border.search(patch, minimizer);
         return deliver(outcome.map, vertices, uvmap, vpmap);
       } else {
         const Error_code status = m_border.parameterize(mesh, bhd, uvmap, vimap, vpmap);
         if(status != SMP::OK)
           return status;
         const std::vector<vertex_descriptor> border = internal::select(vertices, patch.border);
-        return deliver(map_for_border(patch, iteration, internal::read_uv(border, uvmap)), vertices, uvmap, vpmap);
+        return deliver(map_for_border(patch, minimizer.iteration(), internal::read_uv(border, uvmap)), vertices, uvmap,
+                       vpmap);
       }
     } catch(const internal::Unmappable& error) {
       return error.code();
@@ -129,9 +130,9 @@ private:
   };
 
   template <class Border>
-  struct searches_corners<
-      Border, std::void_t<decltype(std::declval<const Border&>().search(
-                  std::declval<const internal::Patch&>(), std::declval<const internal::Stretch_iteration&>()))>>
+  struct searches_corners<Border,
+                          std::void_t<decltype(std::declval<const Border&>().search(
+                              std::declval<const internal::Patch&>(), std::declval<const internal::Map_minimizer&>()))>>
     : std::true_type
   {
   };

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_PARAMETERIZE_ONTO_SQUARE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_PARAMETERIZE_ONTO_SQUARE_H
 
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/error_message.h>
@@ -31,6 +32,8 @@ struct Square_map_options
 {
   /// chooses the corners: any model of `CornerSearch`
   Corner_search search = Hybrid_corner_search();
+  /// when given, each candidate is mapped by the minimizer of the balanced energy, not by the iteration
+  std::optional<Balanced_minimization> balanced;
   Stretch_minimization minimization;    ///< how each candidate is mapped
   Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
   Chords chords = Chords::ALL;          ///< which chords are split
@@ -88,6 +91,8 @@ template <class TriangleMesh>
 void check_input(const TriangleMesh& mesh, const Square_map_options& options)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
+  if(options.balanced && !options.balanced->is_valid())
+    throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the balance is not in [0, 1], or the tolerance is negative");
   if(!options.minimization.is_valid())
     throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
   const std::size_t number_of_faces = std::distance(faces(mesh).begin(), faces(mesh).end());
@@ -193,12 +198,13 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     result.chords_split = split_chords(mesh, vpm, options.chords);
     const auto disk = internal::make_face_graph_patch(mesh, internal::first_border_halfedge(mesh), vpm);
     const auto& [patch, vertex_list] = disk;
-    const internal::Stretch_iteration iteration = options.minimization.make_iteration(patch);
+    const internal::Map_minimizer minimizer =
+        options.balanced ? options.balanced->make_minimizer(patch) : options.minimization.make_minimizer(patch);
     const auto search_start = Clock::now();
     const internal::Search_outcome outcome =
         options.corners
-            ? internal::map_with_corners(patch, iteration, internal::border_positions(mesh, disk, *options.corners))
-            : internal::search_square_map(patch, iteration, options.search, options.search_options);
+            ? internal::map_with_corners(patch, minimizer, internal::border_positions(mesh, disk, *options.corners))
+            : internal::search_square_map(patch, minimizer, options.search, options.search_options);
     const auto end = Clock::now();
 
     result.condition_seconds = std::chrono::duration<double>(search_start - start).count();

@@ -145,7 +145,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   namespace po = boost::program_options;
   Command_line line;
   std::string weights_name, rule, walk, preset, corners, border;
-  double eta = 0;
+  double eta = 0, balance = 0;
   int patience = 0, threads = 0;
   Tuning tuning;
   po::options_description visible("options");
@@ -155,8 +155,12 @@ inline Command_line parse_command_line(int argc, char** argv)
   add("strategy", po::value(&line.strategy)->value_name("NAME"),
       "how corners are searched: hybrid (default), brute-force, quarter-brute-force, particle-swarm, step-sampling, "
       "single-highest, many-high, better-of-two, none");
-  add("minimizer", po::value(&line.minimizer)->value_name("NAME"), "iterative (default)");
-  add("border", po::value(&border)->value_name("NAME"), "fixed (default)");
+  add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
+      "iterative (default): Yoshizawa et al.; optimal: least balanced energy");
+  add("balance", po::value(&balance)->value_name("X"),
+      "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
+  add("border", po::value(&border)->value_name("NAME"),
+      "fixed or sliding; default fixed for iterative, sliding for optimal");
   add("weights", po::value(&weights_name)->value_name("NAME"),
       "blended (default), shape-preserving, shape-preserving-plain, mean-value, symmetric-mean-value, uniform, "
       "clamped-cotangent, harmonic");
@@ -215,9 +219,24 @@ inline Command_line parse_command_line(int argc, char** argv)
     named<bool>({{"paper", true}}, "preset", preset);
     apply_paper_preset(options);
   }
-  named<bool>({{"iterative", true}}, "minimizer", line.minimizer);
-  if(is_given("border"))
-    named<bool>({{"fixed", true}}, "border", border);
+  using CGAL_ext::Border_motion;
+  if(named<bool>({{"iterative", false}, {"optimal", true}}, "minimizer", line.minimizer))
+    options.balanced = CGAL_ext::Balanced_minimization();
+  if(is_given("balance")) {
+    if(!options.balanced)
+      throw Usage_error("--balance goes with --minimizer optimal");
+    if(!(balance >= 0 && balance <= 1))
+      throw Usage_error("--balance must be from 0 to 1");
+    options.balanced->balance = balance;
+  }
+  if(is_given("border")) {
+    const Border_motion motion =
+        named<Border_motion>({{"fixed", Border_motion::FIXED}, {"sliding", Border_motion::SLIDING}}, "border", border);
+    if(options.balanced)
+      options.balanced->border = motion;
+    else if(motion == Border_motion::SLIDING)
+      throw Usage_error("--border sliding goes with --minimizer optimal");
+  }
   options.search = named(strategies(tuning), "strategy", line.strategy);
   if(is_given("weights"))
     options.minimization.weights = named(weights(), "weights", weights_name);

@@ -51,7 +51,7 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                   {"l2", result.measures.l2},
                   {"linf", result.measures.linf},
                   {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
-                  {"energy", result.measures.l2},
+                  {"energy", result.search.best_stretch},
                   {"flipped", result.measures.flipped_faces},
                   {"iterations", result.minimization.iterations}};
   json["curve"] = nlohmann::ordered_json::array();

@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CANDIDATE_EVALUATION_H
 
 #include <CGAL_ext/Square_parameterization/Search_visitor.h>
-#include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/Minimized_map.h>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -99,7 +99,7 @@ public:
     report.candidates = m_number_of_candidates;
     report.evaluations = m_stretch.size();
     report.best_candidate = m_best_candidate;
-    report.best_stretch = m_best_map.report.l2;
+    report.best_stretch = m_best_map.report.objective;
     report.is_cancelled = m_is_cancelled;
     for(const auto& [candidate, stretch] : m_stretch)
       report.curve.push_back({candidate, stretch});
@@ -135,11 +135,12 @@ private:
   void evaluate(int candidate)
   {
     Minimized_map map = m_workers.local()(candidate);
-    const double stretch = map.report.l2;
+    const double stretch = map.report.objective;
     const std::lock_guard<std::mutex> lock(m_mutex);
     m_stretch.at(candidate) = stretch;
     ++m_finished;
-    if(stretch < m_best_map.report.l2 || (stretch == m_best_map.report.l2 && candidate < m_best_candidate)) {
+    if(stretch < m_best_map.report.objective ||
+       (stretch == m_best_map.report.objective && candidate < m_best_candidate)) {
       m_best_candidate = candidate;
       m_best_map = std::move(map);
     }

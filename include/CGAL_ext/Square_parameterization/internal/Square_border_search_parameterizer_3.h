@@ -43,7 +43,7 @@ public:
       if(!m_objective.is_valid())
         return SMP::ERROR_WRONG_PARAMETER;
       const auto [patch, vertices] = make_face_graph_patch(mesh, bhd, get(CGAL::vertex_point, mesh));
-      const Search_outcome outcome = search(patch, m_objective.make_iteration(patch));
+      const Search_outcome outcome = search(patch, m_objective.make_minimizer(patch));
       if(outcome.report.best_candidate < 0)
         return SMP::ERROR_NO_1_TO_1_MAPPING;
       Uv_coordinates border_uv(patch.border.size(), 2);
@@ -60,10 +60,10 @@ public:
   bool is_border_convex() const { return true; }
 
   /// \cond SKIP_IN_MANUAL
-  /// searches the corners for maps made by \p iteration
-  Search_outcome search(const Patch& patch, const Stretch_iteration& iteration) const
+  /// searches the corners for maps made by \p minimizer
+  Search_outcome search(const Patch& patch, const Map_minimizer& minimizer) const
   {
-    return search_square_map(patch, iteration, m_search, m_options);
+    return search_square_map(patch, minimizer, m_search, m_options);
   }
   /// \endcond
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_STRETCH_ITERATION_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_STRETCH_ITERATION_H
 
-#include <CGAL_ext/Square_parameterization/Minimization_report.h>
 #include <CGAL_ext/Square_parameterization/internal/Convex_combination_system.h>
+#include <CGAL_ext/Square_parameterization/internal/Minimized_map.h>
 #include <CGAL_ext/Square_parameterization/internal/stretch_kernel.h>
 
 #include <limits>
@@ -22,13 +22,6 @@ struct Stretch_iteration_options
   double eta = 0.3;
   unsigned int patience = 1;
   unsigned int maximum_iterations = 100;
-};
-
-/// a map of a patch and how it was reached
-struct Minimized_map
-{
-  Uv_coordinates uv; ///< #V by 2; empty when no one-to-one map was found
-  Minimization_report report;
 };
 
 /// the stretch-minimizing parameterization of Yoshizawa, Belyaev and Seidel 2004 for any number of borders of one
@@ -89,9 +82,9 @@ public:
       }
       m_system.compose(workspace.solution, border_uv, workspace.uv);
       const double l2 = std::sqrt(stretch_energy(m_patch, workspace.uv, workspace.sigma) * uv_area);
-      report.l2_history.push_back(l2);
+      report.history.push_back(l2);
       if(l2 < report.l2) {
-        report.l2 = l2;
+        report.l2 = report.objective = l2;
         report.best_iteration = report.iterations;
         best.uv = workspace.uv;
         failures = 0;

@@ -7,11 +7,11 @@
 #include <CGAL_ext/Square_parameterization/Square_search_options.h>
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/internal/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/Map_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/border_curves.h>
-#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
 
-#include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL_ext {
 namespace internal {
@@ -22,38 +22,6 @@ struct Search_outcome
   Minimized_map map;
   Search_report report;
 };
-
-/// indicates whether an interior edge has both ends on one side of the square: its triangles would have no area
-inline bool has_chord_on_a_side(const Patch& patch, const Uv_coordinates& border_uv)
-{
-  if(patch.chords.empty())
-    return false;
-  std::vector<int> position(patch.points.size(), -1);
-  for(std::size_t k = 0; k < patch.border.size(); ++k)
-    position[patch.border[k]] = static_cast<int>(k);
-  for(const auto& [a, b] : patch.chords)
-    for(int axis = 0; axis < 2; ++axis) {
-      const double x = border_uv(position[a], axis);
-      if(x == border_uv(position[b], axis) && (x == 0 || x == 1))
-        return true;
-    }
-  return false;
-}
-
-/// maps the patch for one border on the square. The result has no uv, and infinite stretch, unless the map is
-/// one-to-one by exact arithmetic.
-inline Minimized_map map_onto_square(const Patch& patch, const Stretch_iteration& iteration,
-                                     const Uv_coordinates& border_uv, Stretch_iteration::Workspace& workspace)
-{
-  if(has_chord_on_a_side(patch, border_uv))
-    return {};
-  Minimized_map map = iteration.minimize(border_uv, 1, workspace);
-  if(map.uv.rows() > 0 && number_of_flipped_faces(patch.triangles, map.uv) > 0) {
-    map.uv.resize(0, 2);
-    map.report.l2 = std::numeric_limits<double>::infinity();
-  }
-  return map;
-}
 
 /// the stretch of the border vertices, in the order of the border loop, when the patch is mapped onto a circle of area
 /// 1; empty when it cannot be
@@ -84,17 +52,15 @@ inline std::vector<double> corner_distances(const Uv_coordinates& border_uv)
 }
 
 /// searches the corners of the square among the candidates of \p search and maps the patch for the best of them
-inline Search_outcome search_square_map(const Patch& patch, const Stretch_iteration& iteration,
-                                        const Corner_search& search, const Square_search_options& options)
+inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
+                                        const Square_search_options& options)
 {
   const Border_walk walk(patch.border_lengths, options.walk);
   const auto border_of = [&](int candidate) {
     return square_border(walk, corners_of_candidate(walk, candidate, options.corner_rule));
   };
   const auto make_worker = [&]() -> Candidate_evaluation::Worker {
-    return [&, workspace = std::make_shared<Stretch_iteration::Workspace>()](int candidate) {
-      return map_onto_square(patch, iteration, border_of(candidate).uv, *workspace);
-    };
+    return [&, map_for = minimizer.make_worker()](int candidate) { return map_for(border_of(candidate).uv); };
   };
   Corner_search_problem problem;
   problem.number_of_candidates =
@@ -104,7 +70,7 @@ inline Search_outcome search_square_map(const Patch& patch, const Stretch_iterat
   problem.stretch_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
   problem.number_of_vertices = patch.number_of_vertices();
   problem.number_of_faces = patch.number_of_faces();
-  problem.circle_stretch = [&] { return circle_stretch(patch, iteration); };
+  problem.circle_stretch = [&] { return circle_stretch(patch, minimizer.iteration()); };
   problem.corner_distances = [&](int candidate) { return corner_distances(border_of(candidate).uv); };
 
   if(options.visitor != nullptr)
@@ -123,20 +89,19 @@ inline Search_outcome search_square_map(const Patch& patch, const Stretch_iterat
 }
 
 /// maps the patch for four corners chosen by the user: positions in the border loop, counter-clockwise
-inline Search_outcome map_with_corners(const Patch& patch, const Stretch_iteration& iteration, const Corners& corners)
+inline Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimizer, const Corners& corners)
 {
   if(!are_corners_in_order(corners, static_cast<int>(patch.border.size())))
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "the four corners are not distinct border vertices in counter-clockwise order");
-  Stretch_iteration::Workspace workspace;
   const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
-  Search_outcome outcome{map_onto_square(patch, iteration, border.uv, workspace), {}};
+  Search_outcome outcome{minimizer.make_worker()(border.uv), {}};
   outcome.report.candidates = 1;
   outcome.report.evaluations = 1;
-  outcome.report.best_stretch = outcome.map.report.l2;
+  outcome.report.best_stretch = outcome.map.report.objective;
   outcome.report.best_candidate = outcome.map.uv.rows() > 0 ? corners[0] : -1;
   outcome.report.corners = border.corners;
-  outcome.report.curve = {{corners[0], outcome.map.report.l2}};
+  outcome.report.curve = {{corners[0], outcome.map.report.objective}};
   return outcome;
 }
 

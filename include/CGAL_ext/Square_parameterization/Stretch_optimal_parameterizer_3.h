@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_OPTIMAL_PARAMETERIZER_3_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_OPTIMAL_PARAMETERIZER_3_H
+
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
+
+#include <CGAL/Default.h>
+
+#include <utility>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationParameterizers
+///
+/// computes a one-to-one map of a disk onto the unit square that minimises the balanced energy of
+/// `Balanced_minimization`: L2 stretch with a little of its inverse, which keeps the map from tearing open. The border
+/// stays or slides along the sides.
+///
+/// The minimization starts from a map without flips and never leaves the maps without flips; the result is checked by
+/// exact predicates: `OK` means one-to-one. It is a local minimum.
+///
+/// The border parameterizer must be one of this package, with its border on the unit square. When it searches the
+/// corners, each candidate is mapped by this parameterizer, the search minimises the balanced energy, and the best map
+/// found is the result.
+///
+/// `parameterize()` returns what `Stretch_minimizing_parameterizer_3` returns; `ERROR_WRONG_PARAMETER` also for a balance
+/// out of range.
+///
+/// Complexity: per Newton step a sparse Cholesky factorization with two unknowns per vertex, about
+/// \f$ V^{1.5} \f$ operations; the symbolic analysis is done once per thread.
+///
+/// \cgalModels `Parameterizer_3`
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
+/// \tparam BorderParameterizer_ must be a border parameterizer of this package that searches the corners.
+///         <b>%Default:</b> `Hybrid_square_border_parameterizer_3<TriangleMesh_>`
+///
+/// \sa `CGAL_ext::parameterize_onto_square()`
+template <class TriangleMesh_, class BorderParameterizer_ = CGAL::Default>
+class Stretch_optimal_parameterizer_3
+{
+public:
+  typedef TriangleMesh_ Triangle_mesh;
+  typedef TriangleMesh_ TriangleMesh;
+  typedef typename CGAL::Default::Get<BorderParameterizer_, Hybrid_square_border_parameterizer_3<TriangleMesh_>>::type
+      Border_parameterizer;
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef CGAL::Surface_mesh_parameterization::Error_code Error_code;
+
+  /// constructs the parameterizer.
+  /// \param border searches the corners
+  /// \param minimization the balance, whether the border slides, and when to stop
+  /// \param visitor is told how the minimization of the delivered map went; may be null
+  explicit Stretch_optimal_parameterizer_3(Border_parameterizer border = Border_parameterizer(),
+                                           Balanced_minimization minimization = {}, Search_visitor* visitor = nullptr)
+    : m_border(std::move(border)), m_minimization(minimization), m_visitor(visitor)
+  {}
+
+  /// maps the connected component of \p mesh at the border halfedge \p bhd; see
+  /// `Stretch_minimizing_parameterizer_3::parameterize()`.
+  template <class VertexUVmap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap /* vimap */,
+                          VertexParameterizedMap vpmap)
+  {
+    namespace SMP = CGAL::Surface_mesh_parameterization;
+    if(!m_minimization.is_valid())
+      return SMP::ERROR_WRONG_PARAMETER;
+    try {
+      const Triangle_mesh& const_mesh = mesh;
+      const auto [patch, vertices] =
+          internal::make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
+      const internal::Minimized_map map = m_border.search(patch, m_minimization.make_minimizer(patch)).map;
+      if(m_visitor != nullptr)
+        m_visitor->end_minimization(map.report);
+      if(map.uv.rows() == 0)
+        return SMP::ERROR_NO_1_TO_1_MAPPING;
+      internal::write_uv(vertices, map.uv, uvmap, vpmap);
+      return SMP::OK;
+    } catch(const internal::Unmappable& error) {
+      return error.code();
+    }
+  }
+
+private:
+  Border_parameterizer m_border;
+  Balanced_minimization m_minimization;
+  Search_visitor* m_visitor;
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_OPTIMAL_PARAMETERIZER_3_H

@@ -167,7 +167,7 @@ TEST_CASE("the visitor is told of the search and of the minimization")
   CHECK(visitor.evaluations == result.search.evaluations);
   CHECK(visitor.searches[0].best_stretch == result.search.best_stretch);
   CHECK(visitor.searches[0].corners == result.search.corners);
-  CHECK(visitor.minimizations[0].l2_history == result.minimization.l2_history);
+  CHECK(visitor.minimizations[0].history == result.minimization.history);
 }
 
 TEST_CASE("a cancelled search delivers the best map so far")

@@ -6,6 +6,7 @@
 #include "search_curve.h"
 #include "test_meshes.h"
 
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
@@ -76,7 +77,9 @@ std::vector<std::pair<std::string, Corner_search>> all_strategies()
           {"better", Better_of_two_corner_search()},
           {"hybrid", Hybrid_corner_search()},
           {"hybrid 1", Hybrid_corner_search(1)},
-          {"hybrid 1000", Hybrid_corner_search(1000)}};
+          {"hybrid 1000", Hybrid_corner_search(1000)},
+          {"bracketing", Bracketing_corner_search()},
+          {"bracketing 3", Bracketing_corner_search(3)}};
 }
 
 } // namespace
@@ -172,6 +175,29 @@ TEST_CASE("hybrid evaluates both ways together and stops where the stretch rises
   CHECK(batches[1] == std::set<int>{9, 15}); // left rises, right falls
   CHECK(batches[2] == std::set<int>{18});    // right rises
   CHECK(batches[3] == std::set<int>{13, 14, 16, 17});
+}
+
+TEST_CASE("bracketing finds the bottom of smooth valleys within its bound, and of the deeper of two")
+{
+  for(int n : {1, 2, 3, 4, 8, 16, 39, 153, 655})
+    for(int bottom = 0; bottom < n; bottom += 1 + n / 20) {
+      Stretch_curve one, two;
+      for(int k = 0; k < n; ++k) {
+        const double angle = 2 * EIGEN_PI * (k - bottom) / n;
+        one.push_back(1.5 - 0.3 * std::cos(angle));
+        two.push_back(1.5 - 0.3 * std::cos(2 * angle) -
+                      0.1 * std::cos(angle)); // the other valley is half round the ring
+      }
+      const int bound = (std::max)(12, 2 * static_cast<int>(std::ceil(std::log2(double(n)))) + 4);
+      for(const Stretch_curve& curve : {one, two}) {
+        if(curve == two && n < 16)
+          continue; // a valley of four candidates is narrower than two samples
+        INFO(n << " candidates, bottom " << bottom);
+        const Search_report report = search_curve(curve, Bracketing_corner_search());
+        CHECK(report.best_stretch == Approx(1.5 - (curve == one ? 0.3 : 0.4)).epsilon(2e-4));
+        CHECK(static_cast<int>(report.evaluations) <= bound);
+      }
+    }
 }
 
 TEST_CASE("single highest and many high predict what their definitions say")

@@ -68,9 +68,9 @@ TEST_CASE("the best iterate is kept, and the report tells the history")
       const Minimized_map map = minimize(patch, weight_case.weights(patch), {0.5, 2, 100});
       const Minimization_report& report = map.report;
 
-      REQUIRE(report.l2_history.size() == report.iterations + 1);
-      CHECK(report.best_iteration == first_minimum(report.l2_history));
-      CHECK(report.l2 == report.l2_history[report.best_iteration]);
+      REQUIRE(report.history.size() == report.iterations + 1);
+      CHECK(report.best_iteration == first_minimum(report.history));
+      CHECK(report.l2 == report.history[report.best_iteration]);
       if(report.stop_reason == Stop_reason::STRETCH_GROWS)
         CHECK(report.iterations == report.best_iteration + 3);
       else
@@ -85,7 +85,7 @@ TEST_CASE("the iteration lowers the stretch of curved meshes")
     const Patch patch = make_patch_of(mesh);
     const Minimization_report report = minimize(patch, Uniform_weights()(patch), {0.5, 1, 100}).report;
     CHECK(report.best_iteration > 0);
-    CHECK(report.l2 < report.l2_history[0]);
+    CHECK(report.l2 < report.history[0]);
   }
 }
 
@@ -94,10 +94,10 @@ TEST_CASE("without patience the iteration stops at the first iterate that is not
   for(const Flat_mesh& mesh : curved_meshes()) {
     const Patch patch = make_patch_of(mesh);
     const Minimization_report report = minimize(patch, Blended_weights()(patch), {1, 0, 100}).report;
-    REQUIRE(report.l2_history.size() >= 2);
-    for(std::size_t i = 1; i + 1 < report.l2_history.size(); ++i)
-      CHECK(report.l2_history[i] < report.l2_history[i - 1]);
-    CHECK(report.l2_history.back() >= report.l2);
+    REQUIRE(report.history.size() >= 2);
+    for(std::size_t i = 1; i + 1 < report.history.size(); ++i)
+      CHECK(report.history[i] < report.history[i - 1]);
+    CHECK(report.history.back() >= report.l2);
     CHECK(report.best_iteration + 1 == report.iterations);
   }
 }
@@ -112,7 +112,7 @@ TEST_CASE("no more systems are solved than allowed")
   REQUIRE(all.iterations > 3);
   CHECK(report.iterations == maximum);
   CHECK(report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS);
-  CHECK(report.l2_history == std::vector<double>(all.l2_history.begin(), all.l2_history.begin() + maximum + 1));
+  CHECK(report.history == std::vector<double>(all.history.begin(), all.history.begin() + maximum + 1));
 }
 
 TEST_CASE("the second system divides the weight of a neighbor by its stretch to the power eta")

@@ -13,9 +13,9 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationSearches
 ///
 /// samples the ring of candidates of the quarter evenly, and then closes in on the best: each sample that is not higher
-/// than its neighbors brackets a valley; the valley with the lowest bottom, by the parabola through its three samples, is
-/// sampled again, until no valley promises less than the best candidate known. On a curve with several valleys it samples
-/// more.
+/// than its neighbors brackets a valley; the valley with the lowest bottom, by the parabola through its three samples,
+/// is sampled again, until no valley promises less than the best candidate known. On a curve with several valleys the
+/// largest gaps are sampled, too.
 ///
 /// At most \f$ \max(12, 2 \lceil\log_2 m\rceil + 4) \f$ evaluations of \f$ m \f$ candidates. Deterministic; finds the
 /// optimum of curves that are smooth on the scale of the samples, as the balanced energy is on most meshes.
@@ -42,11 +42,11 @@ public:
     for(int i = 0; i < (std::min)(m_samples, n); ++i)
       first.insert(static_cast<int>(static_cast<long>(i) * n / (std::min)(m_samples, n)));
     evaluate(first);
-    while(known.size() < budget) {
+    while(known.size() < budget && static_cast<int>(known.size()) < n) {
       const std::optional<Valley> valley = most_promising(ring, known);
-      if(!valley)
+      if(!valley && !has_several_valleys(ring, known))
         break;
-      std::set<int> batch = next_samples(*valley, ring);
+      std::set<int> batch = valley ? next_samples(*valley, ring) : middle_of_largest_gap(ring, known);
       while(known.size() + batch.size() > budget)
         batch.erase(std::prev(batch.end()));
       evaluate(batch);
@@ -78,6 +78,34 @@ private:
     return valley;
   }
 
+  /// indicates whether the curve is seen not to be unimodal: more samples are due then
+  static bool has_several_valleys(const internal::Candidate_ring& ring, const std::set<int>& known)
+  {
+    const std::vector<int> positions(known.begin(), known.end());
+    const std::size_t count = positions.size();
+    int valleys = 0;
+    for(std::size_t i = 0; i < count; ++i) {
+      const double here = ring.stretch(positions[i]);
+      if(here < ring.stretch(positions[(i + count - 1) % count]) && here < ring.stretch(positions[(i + 1) % count]))
+        ++valleys;
+    }
+    return valleys > 1;
+  }
+
+  static std::set<int> middle_of_largest_gap(const internal::Candidate_ring& ring, const std::set<int>& known)
+  {
+    const std::vector<int> positions(known.begin(), known.end());
+    long largest = 0, middle = 0;
+    for(std::size_t i = 0; i < positions.size(); ++i) {
+      const long next = i + 1 < positions.size() ? positions[i + 1] : positions[0] + ring.size();
+      if(next - positions[i] > largest) {
+        largest = next - positions[i];
+        middle = positions[i] + largest / 2;
+      }
+    }
+    return {ring.at(middle)};
+  }
+
   /// the valley with unknown candidates whose promise is lowest; none when none is worth a look
   static std::optional<Valley> most_promising(const internal::Candidate_ring& ring, const std::set<int>& known)
   {
@@ -103,8 +131,8 @@ private:
     return found;
   }
 
-  /// one new sample on each side of the middle: at the bottom of the parabola on its side, half-way on the other; next to
-  /// the middle where the parabola has its bottom there
+  /// one new sample on each side of the middle: at the bottom of the parabola on its side, half-way on the other; next
+  /// to the middle where the parabola has its bottom there
   static std::set<int> next_samples(const Valley& valley, const internal::Candidate_ring& ring)
   {
     std::set<int> samples;

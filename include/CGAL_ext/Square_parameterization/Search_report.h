@@ -21,7 +21,8 @@ struct Search_report
   struct Sample
   {
     int candidate;
-    double stretch; ///< what the search minimises; infinite when the candidate has no one-to-one map
+    double stretch; ///< what the search minimises: the L2 stretch, or the balanced energy; infinite without a map
+    double l2;      ///< L2 stretch; infinite when the candidate has no one-to-one map
   };
 
   int candidates = 0;          ///< number of candidates the strategy could choose from

@@ -23,7 +23,7 @@ inline CGAL_ext::internal::Candidate_evaluation::Worker worker_of(const Stretch_
 {
   return [&curve](int candidate) {
     CGAL_ext::internal::Minimized_map map;
-    map.report.l2 = curve[candidate];
+    map.report.l2 = map.report.objective = curve[candidate];
     if(curve[candidate] < INFEASIBLE)
       map.uv = CGAL_ext::internal::Uv_coordinates::Constant(1, 2, candidate);
     return map;

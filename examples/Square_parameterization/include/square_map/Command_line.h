@@ -4,6 +4,7 @@
 #ifndef SQUARE_MAP_COMMAND_LINE_H
 #define SQUARE_MAP_COMMAND_LINE_H
 
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
@@ -75,6 +76,7 @@ inline std::map<std::string, CGAL_ext::Corner_search> strategies(const Tuning& t
           {"single-highest", CGAL_ext::Single_highest_corner_search()},
           {"many-high", CGAL_ext::Many_high_corner_search()},
           {"better-of-two", CGAL_ext::Better_of_two_corner_search()},
+          {"bracketing", CGAL_ext::Bracketing_corner_search()},
           {"hybrid", CGAL_ext::Hybrid_corner_search(tuning.interval)}};
 }
 
@@ -154,7 +156,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),
       "how corners are searched: hybrid (default), brute-force, quarter-brute-force, particle-swarm, step-sampling, "
-      "single-highest, many-high, better-of-two, none");
+      "single-highest, many-high, better-of-two, bracketing, none");
   add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
       "iterative (default): Yoshizawa et al.; optimal: least balanced energy");
   add("balance", po::value(&balance)->value_name("X"),

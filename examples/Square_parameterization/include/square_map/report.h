@@ -56,7 +56,8 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                   {"iterations", result.minimization.iterations}};
   json["curve"] = nlohmann::ordered_json::array();
   for(const auto& sample : result.search.curve)
-    json["curve"].push_back({{"candidate", sample.candidate}, {"l2", number(sample.stretch)}});
+    json["curve"].push_back(
+        {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.stretch)}});
   const unsigned int threads = line.options.search_options.number_of_threads;
   json["threads"] = threads == 0 ? CGAL_ext::internal::default_number_of_threads() : threads;
   json["seconds"] = {{"read", seconds.read},   {"condition", seconds.condition}, {"search", seconds.search},

@@ -65,7 +65,7 @@ public:
   {
     std::vector<int> missing;
     for(int candidate : candidates)
-      if(m_stretch.emplace(candidate, std::numeric_limits<double>::infinity()).second)
+      if(m_samples.emplace(candidate, Search_report::Sample{candidate, INFEASIBLE, INFEASIBLE}).second)
         missing.push_back(candidate);
     std::vector<char> is_done(missing.size(), false);
     m_arena.execute([&] {
@@ -81,12 +81,12 @@ public:
     });
     for(std::size_t i = 0; i < missing.size(); ++i)
       if(!is_done[i])
-        m_stretch.erase(missing[i]);
+        m_samples.erase(missing[i]);
     if(m_is_cancelled)
       throw Search_cancelled();
     std::vector<double> result;
     for(int candidate : candidates)
-      result.push_back(m_stretch.at(candidate));
+      result.push_back(m_samples.at(candidate).stretch);
     return result;
   }
 
@@ -97,16 +97,18 @@ public:
   {
     Search_report report;
     report.candidates = m_number_of_candidates;
-    report.evaluations = m_stretch.size();
+    report.evaluations = m_samples.size();
     report.best_candidate = m_best_candidate;
     report.best_stretch = m_best_map.report.objective;
     report.is_cancelled = m_is_cancelled;
-    for(const auto& [candidate, stretch] : m_stretch)
-      report.curve.push_back({candidate, stretch});
+    for(const auto& entry : m_samples)
+      report.curve.push_back(entry.second);
     return report;
   }
 
 private:
+  static constexpr double INFEASIBLE = std::numeric_limits<double>::infinity();
+
   /// more threads than candidates would have nothing to do
   static int useful_threads(unsigned int number_of_threads, int number_of_candidates)
   {
@@ -137,7 +139,8 @@ private:
     Minimized_map map = m_workers.local()(candidate);
     const double stretch = map.report.objective;
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_stretch.at(candidate) = stretch;
+    const Search_report::Sample sample{candidate, stretch, map.report.l2};
+    m_samples.at(candidate) = sample;
     ++m_finished;
     if(stretch < m_best_map.report.objective ||
        (stretch == m_best_map.report.objective && candidate < m_best_candidate)) {
@@ -145,7 +148,7 @@ private:
       m_best_map = std::move(map);
     }
     if(m_visitor != nullptr)
-      m_visitor->after_evaluation({candidate, stretch});
+      m_visitor->after_evaluation(sample);
   }
 
   const int m_number_of_candidates;
@@ -156,7 +159,7 @@ private:
   std::function<bool(double)> m_callback;
 
   std::mutex m_mutex; // guards what follows while threads run
-  std::map<int, double> m_stretch;
+  std::map<int, Search_report::Sample> m_samples;
   std::size_t m_finished = 0;
   int m_best_candidate = -1;
   Minimized_map m_best_map;

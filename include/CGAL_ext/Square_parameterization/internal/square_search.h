@@ -101,7 +101,7 @@ inline Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& 
   outcome.report.best_stretch = outcome.map.report.objective;
   outcome.report.best_candidate = outcome.map.uv.rows() > 0 ? corners[0] : -1;
   outcome.report.corners = border.corners;
-  outcome.report.curve = {{corners[0], outcome.map.report.objective}};
+  outcome.report.curve = {{corners[0], outcome.map.report.objective, outcome.map.report.l2}};
   return outcome;
 }
 

@@ -140,7 +140,7 @@ TEST_CASE("a patch is refused with the place named")
   {
     for(auto& p : mesh.points)
       p = {1, 2, 3};
-    CHECK(refusal(mesh, message) == SMP::ERROR_WRONG_PARAMETER);
+    CHECK(refusal(mesh, message) == SMP::ERROR_NO_1_TO_1_MAPPING);
     CHECK_THAT(message, Contains("no extent"));
   }
   SECTION("three border vertices")

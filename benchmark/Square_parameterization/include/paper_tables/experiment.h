@@ -4,6 +4,7 @@
 #ifndef PAPER_TABLES_EXPERIMENT_H
 #define PAPER_TABLES_EXPERIMENT_H
 
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
@@ -43,7 +44,7 @@ struct Experiment
   std::map<std::string, double> rank_correlation;     // by fast solver
 };
 
-/// the strategies of the paper, in its order
+/// the strategies of the paper, in its order, and bracketing
 inline std::vector<std::pair<std::string, CGAL_ext::Corner_search>> strategies()
 {
   return {{"quarter-brute-force", CGAL_ext::Quarter_brute_force_corner_search()},
@@ -52,7 +53,8 @@ inline std::vector<std::pair<std::string, CGAL_ext::Corner_search>> strategies()
           {"single-highest", CGAL_ext::Single_highest_corner_search()},
           {"many-high", CGAL_ext::Many_high_corner_search()},
           {"better-of-two", CGAL_ext::Better_of_two_corner_search()},
-          {"hybrid", CGAL_ext::Hybrid_corner_search()}};
+          {"hybrid", CGAL_ext::Hybrid_corner_search()},
+          {"bracketing", CGAL_ext::Bracketing_corner_search()}};
 }
 
 /// the parameterizations by one linear system that the paper compares with

@@ -11,7 +11,7 @@
 
 namespace paper_tables {
 
-constexpr int WIDTH = 640, HEIGHT = 320, MARGIN = 50;
+constexpr int WIDTH = 640, HEIGHT = 320, MARGIN = 75;
 
 inline void begin_svg(std::ostream& svg, const std::string& title)
 {

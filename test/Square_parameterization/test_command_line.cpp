@@ -235,6 +235,10 @@ TEST_CASE("a damaged file is mapped or refused, but never half")
 
 TEST_CASE("a header that promises more than the file holds is refused")
 {
+#ifdef __SANITIZE_ADDRESS__
+  WARN("skipped: the address sanitizer ends the program where memory is refused");
+  return;
+#endif
   check_refusal_of_text("in.off", "OFF\n4000000000 8000000000 0\n0 0 0\n", BAD_FILE);
   check_refusal_of_text("in.off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", BAD_FILE);
   check_refusal_of_text("in.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n", BAD_FILE);

@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/Circular_border_arc_length_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Quarter_brute_force_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Square_border_arc_length_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/Stretch_optimal_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
 #include <CGAL/Eigen_solver_traits.h>
@@ -63,6 +64,47 @@ TEMPLATE_TEST_CASE("CGAL's mean value coordinates work with the searching border
   Surface_mesh mesh = curved_mesh();
   CHECK(is_one_to_one(parameterize(mesh, SMP::Mean_value_coordinates_parameterizer_3<Surface_mesh, TestType>()),
                       mesh.number_of_faces()));
+}
+
+TEST_CASE("the optimal parameterizer is a drop-in, and its map is lower than that of the iteration")
+{
+  Surface_mesh mesh = curved_mesh();
+  typedef Quarter_brute_force_square_border_parameterizer_3<Surface_mesh> Border;
+  typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
+  CHECK(is_one_to_one(parameterize(mesh, Stretch_optimal_parameterizer_3<Surface_mesh>()), mesh.number_of_faces()));
+  const auto energy_of = [&mesh](const auto& parameterizer, double balance) {
+    auto uvmap = mesh.add_property_map<vertex_descriptor, Point_2>("v:uv").first;
+    const auto bhd = internal::first_border_halfedge(mesh);
+    REQUIRE(SMP::parameterize(mesh, parameterizer, bhd, uvmap) == SMP::OK);
+    const Stretch_measures measures = measure_stretch(mesh, uvmap);
+    const double twice_l2 = 2 * measures.l2 * measures.l2;
+    return twice_l2 + balance * (4 * measures.symmetric_dirichlet - twice_l2);
+  };
+  for(double balance : {0., 0.3, 1.}) {
+    Balanced_minimization fixed, sliding;
+    fixed.balance = sliding.balance = balance;
+    fixed.border = Border_motion::FIXED;
+    typedef Stretch_optimal_parameterizer_3<Surface_mesh, Border> Optimal;
+    const double iterative = energy_of(Stretch_minimizing_parameterizer_3<Surface_mesh, Border>(), balance);
+    CHECK(energy_of(Optimal(Border(), fixed), balance) < iterative);
+    CHECK(energy_of(Optimal(Border(), sliding), balance) < energy_of(Optimal(Border(), fixed), balance));
+  }
+  Balanced_minimization wrong;
+  wrong.balance = 1.5;
+  CHECK(parameterize(mesh, Stretch_optimal_parameterizer_3<Surface_mesh>(
+                               Hybrid_square_border_parameterizer_3<Surface_mesh>(), wrong))
+            .status == SMP::ERROR_WRONG_PARAMETER);
+}
+
+TEST_CASE("a disk without interior vertices is mapped with every kind of weights")
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(
+      Flat_mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {0, 1, 2, 3}});
+  typedef Quarter_brute_force_square_border_parameterizer_3<Surface_mesh> Border;
+  CHECK(is_one_to_one(parameterize(mesh, Stretch_minimizing_parameterizer_3<Surface_mesh, Border>()), 2));
+  CHECK(is_one_to_one(
+      parameterize(mesh, Stretch_minimizing_parameterizer_3<Surface_mesh, Border, Mean_value_weights>()), 2));
+  CHECK(is_one_to_one(parameterize(mesh, Stretch_optimal_parameterizer_3<Surface_mesh, Border>()), 2));
 }
 
 TEST_CASE("brute force over the full border is at least as good as over the quarter")

@@ -477,22 +477,41 @@ TEST_CASE("unknown options and names and numbers out of range are refused")
 {
   const Temporary_folder folder;
   const std::string input = folder.add("in.off", off(small));
-  const std::vector<Arguments> bad{{"--unknown"},         {"-x"},
+  const std::vector<Arguments> bad{{"--unknown"},
+                                   {"-x"},
                                    {"--strateg", "none"}, // a name is not guessed
-                                   {"--strategy", "x"},   {"--strategy", ""},
-                                   {"--strategy"},        {"--weights", "x"},
-                                   {"--weights", ""},     {"--corner-rule", "x"},
-                                   {"--corner-rule", ""}, {"--walk", "x"},
-                                   {"--walk", ""},        {"--preset", "x"},
-                                   {"--preset", ""},      {"--minimizer", "x"},
-                                   {"--minimizer", ""},   {"--border", "x"},
-                                   {"--border", ""},      {"--eta", "0"},
-                                   {"--eta", "2"},        {"--eta", "-0.5"},
-                                   {"--eta", "nan"},      {"--eta", "text"},
-                                   {"--eta", "0.5x"},     {"--threads", "-1"},
-                                   {"--threads", "x"},    {"--threads", "-4294967295"},
-                                   {"--patience", "-1"},  {"--patience", "1.5"},
-                                   {"--quiet", "--quiet"}};
+                                   {"--strategy", "x"},
+                                   {"--strategy", ""},
+                                   {"--strategy"},
+                                   {"--weights", "x"},
+                                   {"--weights", ""},
+                                   {"--corner-rule", "x"},
+                                   {"--corner-rule", ""},
+                                   {"--walk", "x"},
+                                   {"--walk", ""},
+                                   {"--preset", "x"},
+                                   {"--preset", ""},
+                                   {"--minimizer", "x"},
+                                   {"--minimizer", ""},
+                                   {"--border", "x"},
+                                   {"--border", ""},
+                                   {"--eta", "0"},
+                                   {"--eta", "2"},
+                                   {"--eta", "-0.5"},
+                                   {"--eta", "nan"},
+                                   {"--eta", "text"},
+                                   {"--eta", "0.5x"},
+                                   {"--threads", "-1"},
+                                   {"--threads", "x"},
+                                   {"--threads", "-4294967295"},
+                                   {"--patience", "-1"},
+                                   {"--patience", "1.5"},
+                                   {"--quiet", "--quiet"},
+                                   {"--balance", "0.5"}, // of the other minimizer
+                                   {"--border", "sliding"},
+                                   {"--minimizer", "optimal", "--balance", "1.5"},
+                                   {"--minimizer", "optimal", "--balance", "-0.1"},
+                                   {"--minimizer", "optimal", "--balance", "nan"}};
   for(const Arguments& options : bad)
     check_refusal(folder, Arguments{input, "-o", folder / "map.obj", "--json", folder / "report.json"} + options,
                   BAD_COMMAND_LINE);
@@ -710,7 +729,7 @@ TEST_CASE("strategies differ in the candidates they map")
   CHECK(l2(quarter) <= l2(none));
   CHECK(l2(full) <= l2(quarter));
   for(const std::string strategy :
-      {"particle-swarm", "step-sampling", "single-highest", "many-high", "better-of-two", "hybrid"}) {
+      {"particle-swarm", "step-sampling", "single-highest", "many-high", "better-of-two", "hybrid", "bracketing"}) {
     const Mapped mapped = check_map(small, {"--strategy", strategy});
     INFO(strategy);
     CHECK(mapped.report["strategy"] == strategy);
@@ -718,6 +737,29 @@ TEST_CASE("strategies differ in the candidates they map")
     CHECK(mapped.report["curve"].size() == evaluations(mapped));
     CHECK(l2(full) <= l2(mapped));
     CHECK(check_map(small, {"--strategy", strategy}).text == mapped.text);
+  }
+}
+
+TEST_CASE("the optimal minimizer lowers L2, Linf and symmetric Dirichlet at once, at every balance, with either border")
+{
+  const auto best = [](const Mapped& mapped, const char* key) { return mapped.report["best"][key].get<double>(); };
+  const Soup soup = sheet(12, 9);
+  const Mapped iterative = check_map(soup, {"--strategy", "brute-force"});
+  const Mapped optimal = check_map(soup, {"--minimizer", "optimal", "--strategy", "bracketing"});
+  for(const char* key : {"l2", "linf", "symmetric_dirichlet"})
+    CHECK(best(optimal, key) < best(iterative, key));
+  CHECK(optimal.report["minimizer"] == "optimal");
+  CHECK(check_map(soup, {"--minimizer", "optimal", "--strategy", "bracketing"}).text == optimal.text);
+  const Mapped fixed = check_map(soup, {"--minimizer", "optimal", "--border", "fixed", "--strategy", "brute-force"});
+  const Mapped sliding =
+      check_map(soup, {"--minimizer", "optimal", "--border", "sliding", "--strategy", "brute-force"});
+  CHECK(best(sliding, "energy") < best(fixed, "energy"));
+  for(const std::string balance : {"0", "0.1", "1"}) {
+    const Mapped mapped = check_map(soup, {"--minimizer", "optimal", "--balance", balance, "--strategy", "none"});
+    // E = 2 L2^2 + b times its counterpart, and 4 SD = 2 L2^2 + the counterpart
+    const double twice_l2 = 2 * best(mapped, "l2") * best(mapped, "l2");
+    CHECK(best(mapped, "energy") ==
+          Approx(twice_l2 + std::stod(balance) * (4 * best(mapped, "symmetric_dirichlet") - twice_l2)).epsilon(1e-9));
   }
 }
 

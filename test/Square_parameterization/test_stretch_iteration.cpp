@@ -135,7 +135,8 @@ TEST_CASE("the second system divides the weight of a neighbor by its stretch to 
     for(int end = 0; end < 2; ++end) {
       const int i = patch.edges[e][end], j = patch.edges[e][1 - end];
       if(is_interior[i])
-        residual.row(i) += weights.values[e][end] / std::pow(sigma[j], exponent) * (second.uv.row(j) - second.uv.row(i));
+        residual.row(i) +=
+            weights.values[e][end] / std::pow(sigma[j], exponent) * (second.uv.row(j) - second.uv.row(i));
     }
   CHECK(residual.cwiseAbs().maxCoeff() < 1e-12);
 }

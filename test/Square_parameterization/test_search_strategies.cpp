@@ -304,6 +304,33 @@ TEST_CASE("every strategy gives the same answer for any number of threads and fo
   }
 }
 
+namespace {
+
+/// lets a number of evaluations begin
+struct Limit_evaluations : Search_visitor
+{
+  bool may_continue() override { return begun++ < limit; }
+
+  int begun = 0, limit = 3;
+};
+
+} // namespace
+
+TEST_CASE("every strategy stops when the visitor says so")
+{
+  const Stretch_curve curve = valley(50, 20);
+  for(const auto& [name, search] : all_strategies()) {
+    INFO(name);
+    Search_conditions conditions = peak_at(50, 10);
+    const std::size_t all = search_curve(curve, search, conditions).evaluations;
+    Limit_evaluations visitor;
+    conditions.visitor = &visitor;
+    const Search_report report = search_curve(curve, search, conditions);
+    CHECK(report.is_cancelled == (all > 3));
+    CHECK(report.evaluations == (std::min)(all, std::size_t(3)));
+  }
+}
+
 TEST_CASE("every strategy stops when it is cancelled, with the best so far")
 {
   const Stretch_curve curve = valley(50, 20);

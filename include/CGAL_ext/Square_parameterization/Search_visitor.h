@@ -24,6 +24,10 @@ public:
   /// called once, before the first evaluation, with the number of candidates: an upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 
+  /// asked before each evaluation. When it returns `false` the search stops within one evaluation per thread, and the
+  /// best candidate so far is delivered, marked as cancelled.
+  virtual bool may_continue() { return true; }
+
   /// called after each evaluation, in the order in which they finish, which differs from run to run with several
   /// threads
   virtual void after_evaluation(const Search_report::Sample& /* sample */) {}

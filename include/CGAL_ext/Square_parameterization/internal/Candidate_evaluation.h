@@ -12,7 +12,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <atomic>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -27,7 +26,7 @@ inline unsigned int default_number_of_threads()
   return static_cast<unsigned int>(tbb::this_task_arena::max_concurrency());
 }
 
-/// thrown out of a strategy by the evaluation when the callback asks to stop
+/// thrown out of a strategy by the evaluation when the callback or the visitor asks to stop
 struct Search_cancelled
 {
 };
@@ -60,7 +59,7 @@ public:
   {}
 
   /// the stretch of \p candidates, in their order. Throws `Search_cancelled` as soon as the candidates that are under
-  /// way are finished when the callback returns `false`.
+  /// way are finished when the callback or the visitor asks to stop.
   std::vector<double> operator()(const std::vector<int>& candidates)
   {
     std::vector<int> missing;
@@ -122,15 +121,14 @@ private:
                       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   }
 
+  /// asks the callback and the visitor, one thread at a time
   bool may_continue()
   {
-    if(m_is_cancelled)
-      return false;
-    if(m_callback) {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if(!m_is_cancelled && !m_callback(double(m_finished) / m_number_of_candidates))
-        m_is_cancelled = true;
-    }
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(!m_is_cancelled && m_callback && !m_callback(double(m_finished) / m_number_of_candidates))
+      m_is_cancelled = true;
+    if(!m_is_cancelled && m_visitor != nullptr && !m_visitor->may_continue())
+      m_is_cancelled = true;
     return !m_is_cancelled;
   }
 
@@ -163,7 +161,7 @@ private:
   std::size_t m_finished = 0;
   int m_best_candidate = -1;
   Minimized_map m_best_map;
-  std::atomic<bool> m_is_cancelled{false};
+  bool m_is_cancelled = false;
 };
 
 } // namespace internal

@@ -103,30 +103,6 @@ public:
     return hessian;
   }
 
-  /// the exact Hessian of triangle \p f, possibly indefinite
-  Element_hessian exact_hessian(int f, const Uv_coordinates& uv) const
-  {
-    const Hat_gradients g = hat_gradients(m_patch.shapes[f]);
-    const Eigen::Matrix2d K = jacobian(f, uv, g), C = cofactor(K);
-    const double determinant = K.determinant(), norm = K.squaredNorm();
-    const double inverse_2 = 1 / (determinant * determinant), inverse_3 = inverse_2 / determinant;
-    const double area = m_patch.shapes[f].area();
-    // f'' of K along A and B, with J = det K: 2 (1/J^2 + b) <A,B> - 4/J^3 (<K,A><C,B> + <C,A><K,B>)
-    //                                         + 6 |K|^2/J^4 <C,A><C,B> - 2 |K|^2/J^3 <A, cof B>
-    Element_hessian hessian;
-    for(int i = 0; i < 6; ++i)
-      for(int j = 0; j < 6; ++j) {
-        Eigen::Matrix2d A = Eigen::Matrix2d::Zero(), B = Eigen::Matrix2d::Zero();
-        A.row(i % 2) = g[i / 2].transpose();
-        B.row(j % 2) = g[j / 2].transpose();
-        const double CA = inner(C, A), CB = inner(C, B);
-        hessian(i, j) =
-            area * (2 * (inverse_2 + m_balance) * inner(A, B) - 4 * inverse_3 * (inner(K, A) * CB + CA * inner(K, B)) +
-                    6 * norm * inverse_2 * inverse_2 * CA * CB - 2 * norm * inverse_3 * inner(A, cofactor(B)));
-      }
-    return hessian;
-  }
-
 private:
   /// singular value decomposition K = s1 u1 v1^T + s2 u2 v2^T of a matrix with positive determinant
   struct Singular_values
@@ -168,8 +144,6 @@ private:
     result << K(1, 1), -K(1, 0), -K(0, 1), K(0, 0);
     return result;
   }
-
-  static double inner(const Eigen::Matrix2d& A, const Eigen::Matrix2d& B) { return A.cwiseProduct(B).sum(); }
 
   Eigen::Matrix2d derivative_of(const Eigen::Matrix2d& K) const
   {

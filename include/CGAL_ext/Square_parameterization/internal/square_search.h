@@ -43,8 +43,8 @@ inline std::vector<double> circle_stretch(const Patch& patch, const Stretch_iter
 inline std::vector<double> corner_distances(const Uv_coordinates& border_uv)
 {
   std::vector<double> distances;
-  for(Eigen::Index k = 0; k < border_uv.rows();
-      ++k) { // one coordinate is 0 or 1, the other tells the place on the side
+  // one coordinate is 0 or 1, the other tells the place on the side
+  for(Eigen::Index k = 0; k < border_uv.rows(); ++k) {
     const double u = border_uv(k, 0), v = border_uv(k, 1);
     distances.push_back(2 * ((std::min)(u, 1 - u) + (std::min)(v, 1 - v)));
   }

@@ -35,7 +35,6 @@ public:
   Balanced_energy(const Patch& patch, double balance) : m_patch(patch), m_balance(balance) {}
 
   const Patch& patch() const { return m_patch; }
-  double balance() const { return m_balance; }
 
   /// the energy of a map (#V by 2)
   double operator()(const Uv_coordinates& uv) const

@@ -41,9 +41,6 @@ public:
   /// position in the border loop of the `i`-th vertex of the walk
   int border_position(int i) const { return m_clockwise ? (size() - i % size()) % size() : i % size(); }
 
-  /// inverse of `border_position()`
-  int walk_position(int k) const { return border_position(k); }
-
 private:
   std::vector<double> m_lengths;
   bool m_clockwise;

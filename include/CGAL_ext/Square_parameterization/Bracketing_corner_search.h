@@ -131,24 +131,21 @@ private:
     return found;
   }
 
-  /// one new sample on each side of the middle: at the bottom of the parabola on its side, half-way on the other; next
-  /// to the middle where the parabola has its bottom there
+  /// one new sample on each side of the middle: at the bottom of the parabola on its side, unless that is all but in the
+  /// middle; else next to the middle
   static std::set<int> next_samples(const Valley& valley, const internal::Candidate_ring& ring)
   {
-    std::set<int> samples;
-    const bool is_bottom_in_middle = std::abs(valley.bottom - valley.middle) < 0.75;
-    const long left_gap = valley.middle - valley.left, right_gap = valley.right - valley.middle;
-    const auto inside = [](double x, long low, long high) {
-      return (std::max)(low + 1, (std::min)(std::lround(x), high - 1));
+    constexpr double NEAR_MIDDLE = 0.75; // candidates
+    const auto inside = [&valley](long low, long high) {
+      return (std::max)(low + 1, (std::min)(std::lround(valley.bottom), high - 1));
     };
-    if(left_gap > 1)
-      samples.insert(ring.at(is_bottom_in_middle             ? valley.middle - 1
-                             : valley.bottom < valley.middle ? inside(valley.bottom, valley.left, valley.middle)
-                                                             : valley.middle - (std::min)(left_gap / 2, 1L)));
-    if(right_gap > 1)
-      samples.insert(ring.at(is_bottom_in_middle             ? valley.middle + 1
-                             : valley.bottom > valley.middle ? inside(valley.bottom, valley.middle, valley.right)
-                                                             : valley.middle + (std::min)(right_gap / 2, 1L)));
+    std::set<int> samples;
+    if(valley.middle - valley.left > 1)
+      samples.insert(ring.at(valley.bottom <= valley.middle - NEAR_MIDDLE ? inside(valley.left, valley.middle)
+                                                                          : valley.middle - 1));
+    if(valley.right - valley.middle > 1)
+      samples.insert(ring.at(valley.bottom >= valley.middle + NEAR_MIDDLE ? inside(valley.middle, valley.right)
+                                                                          : valley.middle + 1));
     return samples;
   }
 

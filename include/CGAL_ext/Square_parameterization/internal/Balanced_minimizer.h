@@ -6,9 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/Balanced_energy.h>
 #include <CGAL_ext/Square_parameterization/internal/Minimized_map.h>
-#include <CGAL_ext/Square_parameterization/internal/linear_solvers.h>
-
-#include <Eigen/OrderingMethods>
+#include <CGAL_ext/Square_parameterization/internal/sparse_pattern.h>
 
 #include <memory>
 #include <vector>
@@ -83,9 +81,9 @@ public:
   };
 
   Balanced_minimizer(const Patch& patch, const Balanced_options& options)
-    : m_energy(patch, options.balance), m_options(options)
+    : m_energy(patch, options.balance), m_options(options),
+      m_rank(fill_reducing_order(patch.number_of_vertices(), patch.edges))
   {
-    number_vertices(patch);
     build_pattern(patch);
   }
 
@@ -125,26 +123,6 @@ public:
   }
 
 private:
-  /// a fill-reducing order of the vertices; the two unknowns of a vertex stay together
-  void number_vertices(const Patch& patch)
-  {
-    const int n = patch.number_of_vertices();
-    std::vector<Eigen::Triplet<double>> entries;
-    for(int v = 0; v < n; ++v)
-      entries.emplace_back(v, v, 1.);
-    for(const auto& [a, b] : patch.edges) {
-      entries.emplace_back(a, b, 1.);
-      entries.emplace_back(b, a, 1.);
-    }
-    Sparse_matrix adjacency(n, n);
-    adjacency.setFromTriplets(entries.begin(), entries.end());
-    Eigen::AMDOrdering<int>::PermutationType new_to_old;
-    Eigen::AMDOrdering<int>()(adjacency, new_to_old);
-    m_rank.resize(n);
-    for(int i = 0; i < n; ++i)
-      m_rank[new_to_old.indices()[i]] = i;
-  }
-
   int unknown(int vertex, int axis) const { return 2 * m_rank[vertex] + axis; }
 
   /// the pattern of the upper triangle, and for every triangle where its 36 entries go (only those of the upper
@@ -170,17 +148,10 @@ private:
       for(int i = 0; i < 6; ++i)
         for(int j = i; j < 6; ++j) {
           const int p = unknown(patch.triangles[f][i / 2], i % 2), q = unknown(patch.triangles[f][j / 2], j % 2);
-          m_slots[f][6 * i + j] = slot((std::min)(p, q), (std::max)(p, q));
+          m_slots[f][6 * i + j] = slot_of(m_pattern, (std::min)(p, q), (std::max)(p, q));
         }
     for(int i = 0; i < n; ++i)
-      m_diagonal.push_back(slot(i, i));
-  }
-
-  int slot(int row, int column) const
-  {
-    const int* const rows = m_pattern.innerIndexPtr();
-    const int *begin = rows + m_pattern.outerIndexPtr()[column], *end = rows + m_pattern.outerIndexPtr()[column + 1];
-    return static_cast<int>(std::lower_bound(begin, end, row) - rows);
+      m_diagonal.push_back(slot_of(m_pattern, i, i));
   }
 
   static void clear_fixed(const Free_coordinates& is_free, Uv_coordinates& x) { x = is_free.select(x, 0.); }
@@ -261,7 +232,7 @@ private:
 
   Balanced_energy m_energy;
   Balanced_options m_options;
-  std::vector<int> m_rank; // #V: place of the vertex in the elimination order
+  std::vector<int> m_rank; // #V: place in the elimination order; the two unknowns of a vertex stay together
   Sparse_matrix m_pattern;
   std::vector<std::array<int, 36>> m_slots; // #F: only entries on or above the diagonal are set
   std::vector<int> m_diagonal;              // one per unknown

@@ -5,9 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CONVEX_COMBINATION_SYSTEM_H
 
 #include <CGAL_ext/Square_parameterization/internal/edge_weights.h>
-#include <CGAL_ext/Square_parameterization/internal/linear_solvers.h>
-
-#include <Eigen/OrderingMethods>
+#include <CGAL_ext/Square_parameterization/internal/sparse_pattern.h>
 
 #include <array>
 #include <vector>
@@ -80,24 +78,14 @@ private:
     for(std::size_t v = 0; v < m_row.size(); ++v)
       if(m_border_position[v] < 0)
         m_row[v] = n++;
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<std::array<int, 2>> interior_edges;
     for(const auto& [a, b] : m_patch.edges)
-      if(m_row[a] >= 0 && m_row[b] >= 0) {
-        entries.emplace_back(m_row[a], m_row[b], 1.);
-        entries.emplace_back(m_row[b], m_row[a], 1.);
-      }
-    for(int i = 0; i < n; ++i) // rows without a diagonal entry would all be ordered last
-      entries.emplace_back(i, i, 1.);
-    Sparse_matrix adjacency(n, n);
-    adjacency.setFromTriplets(entries.begin(), entries.end());
-    Eigen::AMDOrdering<int>::PermutationType new_to_old;
-    Eigen::AMDOrdering<int>()(adjacency, new_to_old);
-    std::vector<int> old_to_new(n);
-    for(int i = 0; i < n; ++i)
-      old_to_new[new_to_old.indices()[i]] = i;
+      if(m_row[a] >= 0 && m_row[b] >= 0)
+        interior_edges.push_back({m_row[a], m_row[b]});
+    const std::vector<int> place = fill_reducing_order(n, interior_edges);
     for(int& row : m_row)
       if(row >= 0)
-        row = old_to_new[row];
+        row = place[row];
   }
 
   void build_pattern()
@@ -121,14 +109,7 @@ private:
 
   bool is_stored(int i, int j) const { return i >= 0 && j >= 0 && (!is_symmetric() || i <= j); }
 
-  int slot(int i, int j) const
-  {
-    if(!is_stored(i, j))
-      return NO_SLOT;
-    const int *begin = m_pattern.innerIndexPtr() + m_pattern.outerIndexPtr()[j],
-              *end = m_pattern.innerIndexPtr() + m_pattern.outerIndexPtr()[j + 1];
-    return static_cast<int>(std::lower_bound(begin, end, i) - m_pattern.innerIndexPtr());
-  }
+  int slot(int i, int j) const { return is_stored(i, j) ? slot_of(m_pattern, i, j) : NO_SLOT; }
 
   /// adds the term  weight (p_vertex - p_neighbor)  to the equation of `vertex`, if it has one
   void add_neighbor(int vertex, int neighbor, double weight, int slot, const Uv_coordinates& border_uv,

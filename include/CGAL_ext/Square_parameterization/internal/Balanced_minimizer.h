@@ -81,7 +81,8 @@ public:
   };
 
   Balanced_minimizer(const Patch& patch, const Balanced_options& options)
-    : m_energy(patch, options.balance), m_options(options),
+    : m_energy(patch, options.balance),
+      m_options(options),
       m_rank(fill_reducing_order(patch.number_of_vertices(), patch.edges))
   {
     build_pattern(patch);

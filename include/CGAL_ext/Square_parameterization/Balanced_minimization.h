@@ -26,27 +26,33 @@ enum class Border_motion
 /// and a share of its inverse. The L2 stretch alone does not see magnification: its minimum blows strips of triangles up a
 /// hundredfold. A little balance removes that at little cost in L2.
 ///
-/// The start is a few iterations of `Stretch_minimization`; then projected Newton steps follow.
+/// The map is computed from coarse to fine: on a sequence of meshes of which each has half the vertices of the next, L-BFGS
+/// with the blocks of the projected Hessian as preconditioner, and sweeps over the vertices.
 struct Balanced_minimization
 {
   double balance = 0.3; ///< dimensionless, in [0, 1]: 0 is pure L2 stretch, 1 the symmetric Dirichlet energy
   Border_motion border = Border_motion::SLIDING; ///< whether border vertices may move
 
-  /// relative decrease of the energy, as a Newton step predicts it, below which the minimization ends; not negative
-  double tolerance = 1e-4;
+  /// relative decrease of the energy, as promised by a step or made by the last five together, below which the
+  /// minimization of the delivered map ends; not negative
+  double tolerance = 1e-5;
 
-  unsigned int maximum_iterations = 200; ///< largest number of Newton steps
+  /// the same while candidates for the corners are compared; not negative
+  double search_tolerance = 1e-4;
+
+  unsigned int maximum_iterations = 1000; ///< largest number of steps on the mesh itself
 
   /// indicates whether all numbers are in their range
-  bool is_valid() const { return balance >= 0 && balance <= 1 && tolerance >= 0; }
+  bool is_valid() const { return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0; }
 
   /// \cond SKIP_IN_MANUAL
   internal::Map_minimizer make_minimizer(const internal::Patch& patch) const
   {
     Stretch_minimization start;
     start.maximum_iterations = 5;
-    return {patch, start.make_iteration(patch),
-            internal::Balanced_options{balance, border == Border_motion::SLIDING, tolerance, maximum_iterations}};
+    return {patch, [start](const internal::Patch& coarsest) { return start.make_iteration(coarsest); },
+            internal::Balanced_options{balance, border == Border_motion::SLIDING, search_tolerance, tolerance,
+                                       maximum_iterations}};
   }
   /// \endcond
 };

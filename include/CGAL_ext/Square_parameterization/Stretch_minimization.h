@@ -46,7 +46,9 @@ struct Stretch_minimization
   make_minimizer(const internal::Patch& patch,
                  const internal::Linear_solver_factory& make_solver = internal::make_direct_solver) const
   {
-    return {patch, make_iteration(patch, make_solver)};
+    return {patch, [minimization = *this, make_solver](const internal::Patch& p) {
+              return minimization.make_iteration(p, make_solver);
+            }};
   }
   /// \endcond
 };

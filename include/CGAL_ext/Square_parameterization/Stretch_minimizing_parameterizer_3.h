@@ -115,7 +115,7 @@ public:
         if(status != SMP::OK)
           return status;
         const std::vector<vertex_descriptor> border = internal::select(vertices, patch.border);
-        return deliver(map_for_border(patch, minimizer.iteration(), internal::read_uv(border, uvmap)), vertices, uvmap,
+        return deliver(map_for_border(patch, *minimizer.iteration(), internal::read_uv(border, uvmap)), vertices, uvmap,
                        vpmap);
       }
     } catch(const internal::Unmappable& error) {

@@ -4,8 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MAP_MINIMIZER_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MAP_MINIMIZER_H
 
-#include <CGAL_ext/Square_parameterization/internal/Balanced_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
 
 #include <functional>
@@ -32,8 +31,8 @@ inline bool has_chord_on_a_side(const Patch& patch, const Uv_coordinates& border
   return false;
 }
 
-/// maps one patch onto the unit square for any border there: the iteration of Yoshizawa et al., and, when a balance is
-/// given, from its map on to the minimum of the balanced energy.
+/// maps one patch onto the unit square for any border there: by the iteration of Yoshizawa et al., or by minimising the
+/// balanced energy.
 ///
 /// Constant after construction: each thread has a worker of its own. What is minimised is `Minimization_report::objective`.
 class Map_minimizer
@@ -43,41 +42,66 @@ public:
   /// exact arithmetic.
   typedef std::function<Minimized_map(const Uv_coordinates& border_uv)> Worker;
 
-  Map_minimizer(const Patch& patch, Stretch_iteration iteration) : m_patch(patch), m_iteration(std::move(iteration)) {}
+  typedef Multilevel_minimizer::Iteration_factory Iteration_factory;
 
-  Map_minimizer(const Patch& patch, Stretch_iteration start, const Balanced_options& options)
-    : m_patch(patch), m_iteration(std::move(start)), m_balanced(std::make_unique<Balanced_minimizer>(patch, options))
+  /// \param make_iteration makes the iteration of Yoshizawa et al. for a patch
+  Map_minimizer(const Patch& patch, Iteration_factory make_iteration)
+    : m_patch(patch),
+      m_make_iteration(std::move(make_iteration)),
+      m_iteration(std::make_shared<Stretch_iteration>(m_make_iteration(patch)))
+  {}
+
+  /// \param make_start makes the iteration that maps the coarsest patch
+  Map_minimizer(const Patch& patch, Iteration_factory make_start, const Balanced_options& options)
+    : m_patch(patch),
+      m_make_iteration(std::move(make_start)),
+      m_balanced(std::make_unique<Multilevel_minimizer>(patch, m_make_iteration, options))
   {}
 
   Worker make_worker() const
   {
-    return [this, workspace = std::make_shared<Workspace>()](const Uv_coordinates& border_uv) {
+    if(m_balanced)
+      return [this, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](const Uv_coordinates& border_uv) {
+        if(has_chord_on_a_side(m_patch, border_uv))
+          return Minimized_map();
+        return if_one_to_one(m_balanced->minimize(border_uv, *workspace));
+      };
+    return [this, workspace = std::make_shared<Stretch_iteration::Workspace>()](const Uv_coordinates& border_uv) {
       if(has_chord_on_a_side(m_patch, border_uv))
         return Minimized_map();
-      Minimized_map map = m_iteration.minimize(border_uv, 1, workspace->iteration);
-      if(m_balanced && map.uv.rows() > 0)
-        map = m_balanced->minimize(std::move(map.uv), workspace->balanced);
-      if(map.uv.rows() > 0 && number_of_flipped_faces(m_patch.triangles, map.uv) > 0) {
-        map.uv.resize(0, 2);
-        map.report.l2 = map.report.objective = std::numeric_limits<double>::infinity();
-      }
-      return map;
+      return if_one_to_one(m_iteration->minimize(border_uv, 1, *workspace));
     };
   }
 
-  /// the iteration alone, for borders that are not on the square
-  const Stretch_iteration& iteration() const { return m_iteration; }
+  /// the map to deliver, made of the best map of a worker: candidates are mapped no better than needed to compare them
+  Minimized_map finish(Minimized_map map) const
+  {
+    if(!m_balanced || map.uv.rows() == 0)
+      return map;
+    Minimized_map finished = if_one_to_one(m_balanced->finish(map));
+    return finished.uv.rows() > 0 ? finished : map;
+  }
+
+  /// the iteration for borders that are not on the square
+  std::shared_ptr<const Stretch_iteration> iteration() const
+  {
+    return m_iteration ? m_iteration : std::make_shared<Stretch_iteration>(m_make_iteration(m_patch));
+  }
 
 private:
-  struct Workspace
+  Minimized_map if_one_to_one(Minimized_map map) const
   {
-    Stretch_iteration::Workspace iteration;
-    Balanced_minimizer::Workspace balanced;
-  };
+    if(map.uv.rows() > 0 && number_of_flipped_faces(m_patch.triangles, map.uv) > 0) {
+      map.uv.resize(0, 2);
+      map.report.l2 = map.report.objective = std::numeric_limits<double>::infinity();
+    }
+    return map;
+  }
 
   const Patch& m_patch;
-  Stretch_iteration m_iteration;
-  std::unique_ptr<Balanced_minimizer> m_balanced; // none for the iteration alone
+  Iteration_factory m_make_iteration;
+  std::shared_ptr<const Stretch_iteration> m_iteration;   // one of these two
+  std::unique_ptr<const Multilevel_minimizer> m_balanced; //
 };
 
 } // namespace internal

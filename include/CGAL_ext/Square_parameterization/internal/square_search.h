@@ -70,7 +70,7 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   problem.stretch_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
   problem.number_of_vertices = patch.number_of_vertices();
   problem.number_of_faces = patch.number_of_faces();
-  problem.circle_stretch = [&] { return circle_stretch(patch, minimizer.iteration()); };
+  problem.circle_stretch = [&] { return circle_stretch(patch, *minimizer.iteration()); };
   problem.corner_distances = [&](int candidate) { return corner_distances(border_of(candidate).uv); };
 
   if(options.visitor != nullptr)
@@ -80,9 +80,11 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   } catch(const Search_cancelled&) {
     // the best so far is delivered, and the report says so
   }
-  Search_outcome outcome{evaluation.best_map(), evaluation.report()};
-  if(outcome.report.best_candidate >= 0)
+  Search_outcome outcome{minimizer.finish(evaluation.best_map()), evaluation.report()};
+  if(outcome.report.best_candidate >= 0) {
+    outcome.report.best_stretch = outcome.map.report.objective;
     outcome.report.corners = border_of(outcome.report.best_candidate).corners;
+  }
   if(options.visitor != nullptr)
     options.visitor->end_search(outcome.report);
   return outcome;
@@ -95,7 +97,7 @@ inline Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& 
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "the four corners are not distinct border vertices in counter-clockwise order");
   const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
-  Search_outcome outcome{minimizer.make_worker()(border.uv), {}};
+  Search_outcome outcome{minimizer.finish(minimizer.make_worker()(border.uv)), {}};
   outcome.report.candidates = 1;
   outcome.report.evaluations = 1;
   outcome.report.best_stretch = outcome.map.report.objective;

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MULTILEVEL_MINIMIZER_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MULTILEVEL_MINIMIZER_H
+
+#include <CGAL_ext/Square_parameterization/internal/Balanced_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/insert_vertices.h>
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// minimises the balanced energy from coarse to fine: maps the coarsest of a sequence of ever coarser patches by the
+/// iteration of Yoshizawa et al.; then, patch by patch, minimises, puts vertices back, and smooths by sweeps.
+///
+/// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The patches do
+/// not depend on the border, and serve all of its maps.
+class Multilevel_minimizer
+{
+public:
+  /// the memory of one thread
+  struct Workspace
+  {
+    Stretch_iteration::Workspace iteration;
+    std::deque<Balanced_minimizer::Workspace> levels; // they cannot be moved
+  };
+
+  typedef std::function<Stretch_iteration(const Patch&)> Iteration_factory;
+
+  Multilevel_minimizer(const Patch& patch, Iteration_factory make_iteration, const Balanced_options& options)
+    : m_make_iteration(std::move(make_iteration)), m_options(options)
+  {
+    Balanced_options coarse_options = options;
+    coarse_options.balance = (std::max)(options.balance, LEAST_COARSE_BALANCE);
+    coarse_options.maximum_iterations = COARSE_ITERATIONS;
+    m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options));
+    while(const auto coarse = coarsened(m_minimizers.back()->patch())) {
+      m_coarse.push_back(coarse);
+      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(coarse->patch, coarse_options));
+    }
+    m_coarse_balance = coarse_options.balance;
+    m_iteration = std::make_unique<Stretch_iteration>(m_make_iteration(m_minimizers.back()->patch()));
+  }
+
+  /// maps for the border \p border_uv (#B by 2) on the unit square, to the tolerance of a search. The result has no uv
+  /// when no map without flips was found to start from.
+  Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace) const
+  {
+    while(workspace.levels.size() < m_minimizers.size())
+      workspace.levels.emplace_back();
+    Uv_coordinates uv = m_iteration->minimize(border_uv, 1, workspace.iteration).uv;
+    for(std::size_t level = m_coarse.size(); level > 0 && uv.rows() > 0; --level) {
+      m_minimizers[level]->relax(uv);
+      uv = m_minimizers[level]->minimize({std::move(uv), {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
+      auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, m_coarse_balance);
+      uv = finer ? std::move(*finer) : Uv_coordinates();
+    }
+    if(uv.rows() == 0 && !m_coarse.empty()) { // some coarse triangle was lost in rounding
+      Stretch_iteration::Workspace iteration_workspace;
+      uv = m_make_iteration(m_minimizers[0]->patch()).minimize(border_uv, 1, iteration_workspace).uv;
+    }
+    if(uv.rows() == 0)
+      return Minimized_map();
+    m_minimizers[0]->relax(uv);
+    return m_minimizers[0]->minimize({std::move(uv), {}}, m_options.search_tolerance, workspace.levels[0]);
+  }
+
+  /// continues with a map of `minimize()`, to the tolerance of the map that is delivered
+  Minimized_map finish(Minimized_map map) const
+  {
+    Balanced_minimizer::Workspace workspace;
+    return m_minimizers[0]->minimize(std::move(map), m_options.tolerance, workspace);
+  }
+
+private:
+  // pure L2 stretch tears coarse maps open elsewhere than fine ones; a little balance keeps them alike
+  static constexpr double LEAST_COARSE_BALANCE = 0.1;
+  // a coarse patch is where saddle points, as symmetric meshes have them, are left at little cost
+  static constexpr double COARSE_TOLERANCE = 1e-5;
+  static constexpr unsigned int COARSE_ITERATIONS = 200;
+
+  /// the next coarser patch, with half the interior vertices; none when the patch is small or cannot be made coarser
+  static std::shared_ptr<const Coarse_patch> coarsened(const Patch& patch)
+  {
+    constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
+    constexpr double LEAST_REMOVED = 0.2;
+    const int interior = patch.number_of_vertices() - static_cast<int>(patch.border.size());
+    if(interior <= COARSEST)
+      return nullptr;
+    for(double least_shape_kept : {0.7, 0.05}) // thin protrusions cannot be shortened without thinner triangles
+      try {
+        Patch_coarsener coarsener(patch, least_shape_kept);
+        auto coarse = std::make_shared<const Coarse_patch>(coarsener(patch.number_of_vertices() - interior / 2));
+        if(coarse->removals.size() >= LEAST_REMOVED * interior)
+          return coarse;
+      } catch(const Unmappable&) {
+        // too degenerate to be a patch: the finer one does without
+      }
+    return nullptr;
+  }
+
+  std::vector<std::shared_ptr<const Coarse_patch>> m_coarse;     // ever coarser
+  std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of the patch, and of each coarse one
+  std::unique_ptr<Stretch_iteration> m_iteration;                // on the coarsest
+  Iteration_factory m_make_iteration;
+  Balanced_options m_options;
+  double m_coarse_balance = 0;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MULTILEVEL_MINIMIZER_H

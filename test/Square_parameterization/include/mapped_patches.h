@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_TEST_MAPPED_PATCHES_H
+#define CGAL_EXT_TEST_MAPPED_PATCHES_H
+
+#include "make_patch_of.h"
+#include "test_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+
+#include <Eigen/SVD>
+
+/// patches of several kinds
+inline std::vector<CGAL_ext::internal::Patch> patches()
+{
+  return {make_patch_of(saddle(6)), make_patch_of(cone()), make_patch_of(noisy_height_field(6)),
+          make_patch_of(long_strip(12))};
+}
+
+/// a map without flips that is no minimum of anything: the one of uniform weights
+inline CGAL_ext::internal::Uv_coordinates some_map(const CGAL_ext::internal::Patch& patch, int candidate = 1)
+{
+  using namespace CGAL_ext;
+  using namespace CGAL_ext::internal;
+  Stretch_minimization uniform;
+  uniform.weights = Uniform_weights();
+  uniform.maximum_iterations = 0;
+  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  const Corners corners = corners_of_candidate(walk, candidate, Corner_rule::NEAREST);
+  Stretch_iteration::Workspace workspace;
+  const Stretch_iteration iteration = uniform.make_iteration(patch);
+  return iteration.minimize(square_border(walk, corners).uv, 1, workspace).uv;
+}
+
+/// the energy by its definition: singular values of the 3D-to-uv map of each triangle, found by Eigen's SVD
+inline double energy_by_definition(const CGAL_ext::internal::Patch& patch, const CGAL_ext::internal::Uv_coordinates& uv,
+                                   double balance)
+{
+  double energy = 0;
+  for(const auto& [a, b, c] : patch.triangles) {
+    Eigen::Matrix<double, 3, 2> surface;
+    surface << patch.points[b] - patch.points[a], patch.points[c] - patch.points[a];
+    Eigen::Matrix2d plane;
+    plane << (uv.row(b) - uv.row(a)).transpose(), (uv.row(c) - uv.row(a)).transpose();
+    const double area = surface.col(0).cross(surface.col(1)).norm() / 2;
+    // the Jacobian of the inverse map, plane to surface, has the inverse singular values
+    const Eigen::Matrix<double, 3, 2> inverse = surface * plane.inverse();
+    const Eigen::Vector2d s = inverse.jacobiSvd().singularValues();
+    energy += area * (s.squaredNorm() + balance * s.cwiseInverse().squaredNorm());
+  }
+  return energy;
+}
+
+#endif // CGAL_EXT_TEST_MAPPED_PATCHES_H

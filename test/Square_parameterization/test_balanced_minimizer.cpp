@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mapped_patches.h"
+
+#include <CGAL_ext/Square_parameterization/internal/Balanced_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+namespace {
+
+Balanced_options options(double balance, bool is_border_sliding)
+{
+  Balanced_options result;
+  result.balance = balance;
+  result.is_border_sliding = is_border_sliding;
+  return result;
+}
+
+Minimized_map minimized(const Patch& patch, Uv_coordinates start, const Balanced_options& options, double tolerance)
+{
+  Balanced_minimizer::Workspace workspace;
+  return Balanced_minimizer(patch, options).minimize({std::move(start), {}}, tolerance, workspace);
+}
+
+Uv_coordinates random_coordinates(Eigen::Index rows, unsigned int seed)
+{
+  Random_numbers random(seed);
+  Uv_coordinates result(rows, 2);
+  for(Eigen::Index k = 0; k < result.size(); ++k)
+    result(k / 2, k % 2) = random(-1, 1);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("the energy of a star is that of the map but for a constant, and its step is one of Newton's method")
+{
+  for(const Patch& patch : patches()) {
+    const Uv_coordinates uv = some_map(patch);
+    const Balanced_energy energy(patch, 0.3);
+    for(int v = 0; v < patch.number_of_vertices(); v += 3) {
+      Vertex_star star(0.3);
+      star.clear(uv.row(v));
+      for(int f = 0; f < patch.number_of_faces(); ++f)
+        for(int k = 0; k < 3; ++k)
+          if(const auto& t = patch.triangles[f]; t[k] == v)
+            star.add(corner_shape(patch.shapes[f], k), uv.row(t[(k + 1) % 3]), uv.row(t[(k + 2) % 3]));
+      Uv_coordinates moved = uv;
+      moved.row(v) += 1e-4 * Eigen::RowVector2d(0.6, -0.8);
+      if(!std::isfinite(energy(moved)))
+        continue;
+      CHECK(star.energy(moved.row(v)) - star.energy(uv.row(v)) ==
+            Approx(energy(moved) - energy(uv)).margin(1e-12 * energy(uv)));
+      Eigen::RowVector2d p = uv.row(v);
+      for(int i = 0; i < 50 && star.improve(p, {true, true}); ++i) {
+      }
+      for(int axis = 0; axis < 2; ++axis) { // stationary, by central differences
+        const double h = 1e-5;
+        const Eigen::RowVector2d step = h * (axis == 0 ? Eigen::RowVector2d(1, 0) : Eigen::RowVector2d(0, 1));
+        CHECK(std::abs(star.energy(p + step) - star.energy(p - step)) / (2 * h) < 1e-3 * star.energy(p));
+      }
+    }
+  }
+}
+
+TEST_CASE("a sweep lowers the energy, moves only what is free, and flips nothing")
+{
+  for(const Patch& patch : patches())
+    for(bool is_sliding : {false, true}) {
+      const Uv_coordinates start = some_map(patch);
+      const Free_coordinates is_free = free_coordinates(patch, start, is_sliding);
+      Uv_coordinates uv = start;
+      Vertex_sweep(patch, 0.3)(is_free, uv);
+      CHECK(energy_by_definition(patch, uv, 0.3) < energy_by_definition(patch, start, 0.3));
+      CHECK(number_of_flipped_faces(patch.triangles, uv) == 0);
+      for(Eigen::Index k = 0; k < uv.size(); ++k)
+        if(!is_free(k / 2, k % 2))
+          CHECK(uv(k / 2, k % 2) == start(k / 2, k % 2));
+    }
+}
+
+TEST_CASE("the preconditioner inverts the blocks of the Hessian, with unit rows where coordinates are fixed")
+{
+  const Patch patch = make_patch_of(saddle(5));
+  const Uv_coordinates uv = some_map(patch);
+  const Balanced_energy energy(patch, 0.3);
+  const Axis_preconditioner preconditioner(patch);
+  Axis_preconditioner::Factors factors;
+  for(bool is_sliding : {false, true}) { // the second time with the memory of the first
+    const Free_coordinates is_free = free_coordinates(patch, uv, is_sliding);
+    REQUIRE(preconditioner.factorize(energy, uv, is_free, factors));
+    const Uv_coordinates expected = is_free.select(random_coordinates(uv.rows(), 3), 0.);
+    Uv_coordinates x = Uv_coordinates::Zero(uv.rows(), 2);
+    for(int f = 0; f < patch.number_of_faces(); ++f)
+      for(int axis = 0; axis < 2; ++axis)
+        for(int i = 0; i < 3; ++i)
+          for(int j = 0; j < 3; ++j)
+            x(patch.triangles[f][i], axis) +=
+                energy.hessian_blocks(f, uv).of_axis[axis](i, j) * expected(patch.triangles[f][j], axis);
+    x = is_free.select(x, 0.);
+    preconditioner.apply(factors, x);
+    CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-9);
+  }
+}
+
+TEST_CASE("the secant memory maps the last change of the gradient to the last step, and keeps to its capacity")
+{
+  // gradients of a quadratic with the diagonal Hessian D
+  const Uv_coordinates D = random_coordinates(7, 1).array().square() + 0.5;
+  const auto identity = [](Uv_coordinates&) {};
+  Secant_memory memory(3);
+  for(unsigned int seed = 2; seed < 9; ++seed) {
+    const Uv_coordinates step = random_coordinates(7, seed);
+    memory.add(step, step.cwiseProduct(D));
+    Uv_coordinates x = step.cwiseProduct(D);
+    memory.apply(identity, x);
+    CHECK((x - step).cwiseAbs().maxCoeff() < 1e-12);
+  }
+  const Uv_coordinates step = random_coordinates(7, 20);
+  memory.add(step, -step); // no minimum that way
+  Uv_coordinates x = step;
+  memory.apply(identity, x);
+  CHECK(x.cwiseProduct(step).sum() > 0);
+  memory.clear();
+  x = step;
+  memory.apply(identity, x);
+  CHECK(x == step);
+}
+
+TEST_CASE("the minimizer lowers the energy at every step to a stationary map without flips, at every balance")
+{
+  for(const Patch& patch : patches())
+    for(double balance : {0., 0.1, 0.3, 1.})
+      for(bool is_sliding : {false, true}) {
+        const Uv_coordinates start = some_map(patch);
+        const Minimized_map map = minimized(patch, start, options(balance, is_sliding), 1e-12);
+        INFO("balance " << balance << ", sliding " << is_sliding);
+        CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+        for(std::size_t i = 1; i < map.report.history.size(); ++i)
+          CHECK(map.report.history[i] <= map.report.history[i - 1] * (1 + 1e-14));
+        CHECK(
+            (map.report.stop_reason == Stop_reason::CONVERGED || map.report.stop_reason == Stop_reason::NO_LOWER_MAP));
+        CHECK(map.report.objective == Approx(energy_by_definition(patch, map.uv, balance)).epsilon(1e-9));
+        CHECK(map.report.l2 == Approx(measure(patch.shapes, patch.triangles, map.uv).l2).epsilon(1e-12));
+        Uv_coordinates first;
+        Balanced_energy(patch, balance).gradient(start, first);
+        CHECK(map.report.gradient_norm < 1e-4 * first.norm());
+      }
+}
+
+TEST_CASE("a map stopped after any number of steps has no flips, and continued it is the map made at once")
+{
+  const Patch patch = make_patch_of(cone(6, 6, 19));
+  for(unsigned int steps = 0; steps < 12; ++steps) {
+    Balanced_options stopped = options(0, true);
+    stopped.maximum_iterations = steps;
+    const Minimized_map map = minimized(patch, some_map(patch), stopped, 0);
+    CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+    CHECK(map.report.iterations == steps);
+    CHECK(map.report.history.size() == steps + 1);
+  }
+  Balanced_minimizer::Workspace workspace;
+  const Balanced_minimizer minimizer(patch, options(0.3, true));
+  const Minimized_map rough = minimizer.minimize({some_map(patch), {}}, 1e-2, workspace);
+  const Minimized_map continued = minimizer.minimize(rough, 1e-10, workspace);
+  const Minimized_map at_once = minimizer.minimize({some_map(patch), {}}, 1e-10, workspace);
+  CHECK(rough.report.objective > continued.report.objective);
+  CHECK(continued.report.objective == Approx(at_once.report.objective).epsilon(1e-8));
+  CHECK(continued.report.iterations >= rough.report.iterations);
+  CHECK(continued.report.history.size() == continued.report.iterations + 1);
+}
+
+TEST_CASE("the flat square is found from a bad start, with its border fixed and sliding")
+{
+  const Patch patch = make_patch_of(unit_square(6));
+  Uv_coordinates expected(patch.points.size(), 2);
+  const Eigen::Vector3d origin = patch.points[patch.border[0]];
+  for(std::size_t v = 0; v < patch.points.size(); ++v)
+    expected.row(v) = (patch.points[v] - origin).head<2>().transpose();
+  const Uv_coordinates start = some_map(patch, 0);
+  CHECK((start - expected).cwiseAbs().maxCoeff() > 0.01);
+  for(bool is_sliding : {false, true}) {
+    const Minimized_map map = minimized(patch, start, options(0.3, is_sliding), 1e-15);
+    CHECK(map.report.l2 == Approx(1).epsilon(1e-10));
+    CHECK((map.uv - expected).cwiseAbs().maxCoeff() < 1e-5);
+  }
+}

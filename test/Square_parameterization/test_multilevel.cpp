@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mapped_patches.h"
+
+#include <CGAL_ext/Square_parameterization/internal/Multilevel_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+namespace {
+
+Stretch_iteration start_of(const Patch& patch)
+{
+  Stretch_minimization start;
+  start.maximum_iterations = 5;
+  return start.make_iteration(patch);
+}
+
+Uv_coordinates border_of(const Patch& patch, int candidate)
+{
+  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  return square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv;
+}
+
+/// patches large enough for coarse ones
+std::vector<Patch> large_patches()
+{
+  return {make_patch_of(saddle(30)), make_patch_of(cone(4, 20, 41)), make_patch_of(noisy_height_field(30)),
+          make_patch_of(hemisphere(20, 40))};
+}
+
+} // namespace
+
+TEST_CASE("a coarse patch is a disk with the same border, and its vertices are among the fine ones")
+{
+  for(const Patch& fine : large_patches()) {
+    const int target = fine.number_of_vertices() / 2;
+    const Coarse_patch coarse = Patch_coarsener(fine)(target);
+    const Patch& patch = coarse.patch;
+    CHECK(patch.number_of_vertices() == target);
+    CHECK(patch.number_of_vertices() + static_cast<int>(coarse.removals.size()) == fine.number_of_vertices());
+    CHECK(patch.number_of_vertices() - static_cast<int>(patch.edges.size()) + patch.number_of_faces() == 1);
+    CHECK(patch.chords.size() == fine.chords.size());
+    REQUIRE(patch.border.size() == fine.border.size());
+    for(std::size_t k = 0; k < patch.border.size(); ++k)
+      CHECK(coarse.fine_vertex[patch.border[k]] == fine.border[k]);
+    std::set<std::array<int, 2>> sides;
+    for(const auto& t : patch.triangles)
+      for(int k = 0; k < 3; ++k)
+        CHECK(sides.insert({t[k], t[(k + 1) % 3]}).second); // oriented, and no edge with three triangles
+    std::set<int> left(coarse.fine_vertex.begin(), coarse.fine_vertex.end());
+    CHECK(static_cast<int>(left.size()) == target);
+    for(const auto& removal : coarse.removals)
+      CHECK(left.count(removal.vertex) == 0);
+  }
+}
+
+TEST_CASE("vertices put back into any map without flips leave it without flips")
+{
+  for(const Patch& fine : large_patches()) {
+    const Coarse_patch coarse = Patch_coarsener(fine)(fine.number_of_vertices() / 3);
+    Stretch_iteration::Workspace workspace;
+    for(int candidate : {0, 1, 5}) {
+      const Uv_coordinates coarse_uv =
+          start_of(coarse.patch).minimize(border_of(coarse.patch, candidate), 1, workspace).uv;
+      REQUIRE(number_of_flipped_faces(coarse.patch.triangles, coarse_uv) == 0);
+      const auto uv = insert_vertices(fine, coarse, coarse_uv, 0.3);
+      REQUIRE(uv);
+      CHECK(number_of_flipped_faces(fine.triangles, *uv) == 0);
+      for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
+        CHECK(uv->row(coarse.fine_vertex[v]) == coarse_uv.row(v));
+    }
+  }
+}
+
+TEST_CASE("the kernel of a polygon")
+{
+  const auto polygon = [](std::initializer_list<std::array<double, 2>> points) {
+    std::vector<Eigen::RowVector2d> result;
+    for(const auto& [u, v] : points)
+      result.emplace_back(u, v);
+    return result;
+  };
+  const auto square = point_in_kernel(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  REQUIRE(square);
+  CHECK((*square - Eigen::RowVector2d(0.5, 0.5)).norm() < 1e-15);
+  // an L: only the square at its bend sees both arms
+  const auto bend = point_in_kernel(polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}));
+  REQUIRE(bend);
+  CHECK(bend->minCoeff() > 0);
+  CHECK(bend->maxCoeff() < 1);
+  // an U has no kernel
+  CHECK_FALSE(point_in_kernel(polygon({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}})));
+}
+
+TEST_CASE("coarse to fine ends where the minimizer alone ends")
+{
+  for(const Patch& patch : large_patches())
+    for(bool is_sliding : {false, true}) {
+      Balanced_options options;
+      options.is_border_sliding = is_sliding;
+      options.search_tolerance = 1e-9;
+      Multilevel_minimizer::Workspace workspace;
+      const Minimized_map map = Multilevel_minimizer(patch, start_of, options).minimize(border_of(patch, 2), workspace);
+      Stretch_iteration::Workspace iteration_workspace;
+      Balanced_minimizer::Workspace alone_workspace;
+      Uv_coordinates start = start_of(patch).minimize(border_of(patch, 2), 1, iteration_workspace).uv;
+      const Minimized_map alone =
+          Balanced_minimizer(patch, options).minimize({std::move(start), {}}, 1e-9, alone_workspace);
+      CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+      CHECK(map.report.objective == Approx(alone.report.objective).epsilon(1e-6));
+      CHECK(map.report.objective == Approx(energy_by_definition(patch, map.uv, 0.3)).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("a workspace may be used for one border after the other, and the result does not depend on it")
+{
+  const Patch patch = make_patch_of(saddle(25));
+  const Multilevel_minimizer minimizer(patch, start_of, {});
+  Multilevel_minimizer::Workspace used, fresh;
+  minimizer.minimize(border_of(patch, 7), used);
+  CHECK(minimizer.minimize(border_of(patch, 3), used).uv == minimizer.minimize(border_of(patch, 3), fresh).uv);
+}
+
+TEST_CASE("coarse to fine has no flips at any balance, however early it is stopped")
+{
+  for(const Patch& patch : large_patches())
+    for(double balance : {0., 0.01, 0.1, 0.3, 1.})
+      for(unsigned int steps : {0u, 1u, 5u}) {
+        Balanced_options options;
+        options.balance = balance;
+        options.maximum_iterations = steps;
+        Multilevel_minimizer::Workspace workspace;
+        const Minimized_map map =
+            Multilevel_minimizer(patch, start_of, options).minimize(border_of(patch, 0), workspace);
+        CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+      }
+}
+
+TEST_CASE("a mesh whose Tutte map has triangles of area below 1e-12 is mapped without flips, and converges")
+{
+  for(int rings : {40, 60}) { // ever longer protrusions
+    const Patch patch = make_patch_of(cone(rings, rings, 16));
+    Stretch_minimization tutte;
+    tutte.weights = Uniform_weights();
+    tutte.maximum_iterations = 0;
+    Stretch_iteration::Workspace iteration_workspace;
+    const Minimized_map hard = tutte.make_iteration(patch).minimize(border_of(patch, 0), 1, iteration_workspace);
+    double least_area = 1;
+    for(const auto& t : patch.triangles)
+      least_area = hard.uv.rows() > 0 ? (std::min)(least_area, twice_uv_area(hard.uv, t) / 2) : 0;
+    INFO(rings << " rings, least area " << least_area);
+    REQUIRE(least_area < 1e-12);
+    Balanced_options options;
+    options.search_tolerance = 1e-6;
+    Multilevel_minimizer::Workspace workspace;
+    const Minimized_map map = Multilevel_minimizer(patch, start_of, options).minimize(border_of(patch, 0), workspace);
+    REQUIRE(map.uv.rows() > 0);
+    CHECK(map.report.stop_reason == Stop_reason::CONVERGED);
+    CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+  }
+}

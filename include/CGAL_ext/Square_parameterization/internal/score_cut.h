@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SCORE_CUT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SCORE_CUT_H
+
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/cut_open.h>
+#include <CGAL_ext/Square_parameterization/internal/split_surface_chords.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// how a cut is judged
+struct Cut_score_options
+{
+  double cut_weight = 0.05; ///< stretch that a cut of length sqrt(area) must save
+  double balance = 0.3;     ///< of the energy that is minimised
+  int corner_candidates = 4;
+  int newton_steps = 12; ///< per candidate
+};
+
+/// what a cut is worth; the lower the better
+struct Cut_score
+{
+  double score = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
+  double stretch = std::numeric_limits<double>::infinity();
+  double length = 0; ///< in units of sqrt(area)
+};
+
+/// candidates of the first quarter of the border, spread evenly by length
+inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
+{
+  std::vector<int> candidates;
+  const int m = number_of_quarter_candidates(walk);
+  double length = 0;
+  for(int j = 0; j < m; ++j) {
+    if(length >= static_cast<double>(candidates.size()) * walk.total_length() / 4 / count)
+      candidates.push_back(j);
+    length += walk.length(j);
+  }
+  return candidates;
+}
+
+/// the least stretch of the opened surface on the square among a few corners, each with a few Newton steps
+inline double least_stretch(const Patch& patch, const Cut_score_options& options)
+{
+  Balanced_minimization minimization;
+  minimization.balance = options.balance;
+  minimization.maximum_iterations = options.newton_steps;
+  minimization.tolerance = 1e-3; // the score need not be better than what it decides
+  const Map_minimizer minimizer = minimization.make_minimizer(patch);
+  const Map_minimizer::Worker map_for = minimizer.make_worker();
+  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  double least = std::numeric_limits<double>::infinity();
+  for(int candidate : spread_candidates(walk, options.corner_candidates)) {
+    const Square_border border = square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST));
+    const Minimized_map map = map_for(border.uv);
+    if(map.uv.rows() > 0)
+      least = (std::min)(least, map.report.l2);
+  }
+  return least;
+}
+
+/// the opened surface as it is mapped: without chords
+inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
+{
+  const Triangle_surface opened = split_surface_chords(opened_surface(surface, cut));
+  return make_patch(opened.points, opened.triangles, opened.border_loops.at(0));
+}
+
+/// scores a cut by the stretch that it leaves on the square and by its length
+inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options)
+{
+  Cut_score score;
+  score.length = cut.length(surface) / std::sqrt(surface.area);
+  try {
+    score.stretch = least_stretch(patch_of_cut(surface, cut), options);
+  } catch(const Unmappable&) {
+    return score; // of this cut nothing is known but that it is not the best
+  }
+  score.score = score.stretch + options.cut_weight * score.length;
+  return score;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SCORE_CUT_H

@@ -18,7 +18,8 @@ struct Cut_step
   {
     INITIAL, ///< the best of the cuts that the topology needs
     ADDED,   ///< the cut was extended to a terminal
-    DROPPED  ///< the cut was freed from a terminal
+    DROPPED, ///< the cut was freed from a terminal
+    MOVED    ///< a terminal of the cut gave way to another
   };
 
   Kind kind;

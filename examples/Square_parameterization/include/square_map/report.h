@@ -42,7 +42,7 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                          {"chords_split", result.chords_split},
                          {"vertices_dropped", conditioning.vertices_dropped},
                          {"faces_reoriented", conditioning.faces_reoriented}};
-  static const char* const step_names[] = {"initial", "added", "dropped"};
+  static const char* const step_names[] = {"initial", "added", "dropped", "moved"};
   json["cut"] = {{"decision_faces", cut.decision_faces}, {"history", nlohmann::ordered_json::array()}};
   for(const CGAL_ext::Cut_step& step : cut.history)
     json["cut"]["history"].push_back({{"step", step_names[step.kind]},

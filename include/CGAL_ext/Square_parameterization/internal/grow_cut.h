@@ -22,6 +22,7 @@ struct Scored_cut
 {
   Cut cut;
   Cut_score score;
+  int terminal; ///< that it was changed for last; -1 for none
 };
 
 /// the numbers of the growth
@@ -33,6 +34,9 @@ struct Cut_growth_options
   int patience = 3;        ///< additions in a row that may fail to lower the score
   int farthest_points = 3; ///< candidates of each kind, per addition
   int stretch_maxima = 3;
+  int quick_corner_candidates = 4, quick_newton_steps = 2; ///< of the score that picks finalists
+  int finalists = 3;
+  int rounds_of_moves = 2;
   int roots = 6; ///< trees tried on a closed surface with handles
 };
 
@@ -100,7 +104,7 @@ inline std::vector<Cut> rerouted_initial_cuts(const Triangle_surface& surface, i
   return cuts;
 }
 
-/// decides on a cut: the best of the initial ones, then terminals are added and dropped while that pays
+/// decides on a cut: the best of the initial ones, then terminals are added, dropped and moved while that pays
 class Cut_growth
 {
 public:
@@ -110,54 +114,94 @@ public:
 
   Scored_cut operator()()
   {
-    std::optional<Scored_cut> best;
-    for(const Cut& cut : rerouted_initial_cuts(m_surface, m_options.roots)) {
-      const Scored_cut trial = scored(cut);
-      if(!best || trial.score.score < best->score.score)
-        best = trial;
-    }
-    record(Cut_step::INITIAL, -1, *best);
-    add_terminals(*best);
-    drop_terminals(*best);
-    return *best;
+    std::vector<Trial> trials;
+    for(Cut& cut : rerouted_initial_cuts(m_surface, m_options.roots))
+      trials.push_back({std::move(cut), -1});
+    Scored_cut best = best_of(std::move(trials));
+    record(Cut_step::INITIAL, best);
+    Scored_cut overgrown = add_terminals(best);
+    drop_terminals(std::move(overgrown), best);
+    move_terminals(best);
+    drop_terminals(best, best);
+    return best;
   }
 
 private:
-  Scored_cut scored(const Cut& cut) const { return {cut, score_cut(m_surface, cut, m_options.scoring)}; }
-
-  void record(Cut_step::Kind kind, int terminal, const Scored_cut& step)
+  /// a cut to be judged and the terminal that it was changed for
+  struct Trial
   {
-    m_report.history.push_back({kind, terminal, step.score.score, step.score.stretch, step.score.length});
+    Cut cut;
+    int terminal;
+  };
+
+  /// the best of the cuts: all are judged quickly, the most promising ones with care; infinite when there is none
+  Scored_cut best_of(std::vector<Trial> trials) const
+  {
+    Cut_score_options quick = m_options.scoring;
+    quick.corner_candidates = m_options.quick_corner_candidates;
+    quick.newton_steps = m_options.quick_newton_steps;
+    quick.refined_candidates = 1;
+    const std::size_t finalists = m_options.finalists;
+    std::vector<std::pair<double, std::size_t>> ranks;
+    for(std::size_t i = 0; i < trials.size(); ++i)
+      ranks.emplace_back(trials.size() > finalists ? score_cut(m_surface, trials[i].cut, quick).score : 0., i);
+    std::sort(ranks.begin(), ranks.end());
+    ranks.resize((std::min)(ranks.size(), finalists));
+    Scored_cut best{Cut(m_surface), {}, -1};
+    for(std::size_t k = 0; k < ranks.size(); ++k) {
+      Trial& trial = trials[ranks[k].second];
+      const Cut_score score = score_cut(m_surface, trial.cut, m_options.scoring);
+      if(k == 0 || score.score < best.score.score)
+        best = {std::move(trial.cut), score, trial.terminal};
+    }
+    return best;
   }
 
-  /// adds, as long as patience lasts, the terminal that gives the least score; \p best becomes the best on the way
-  void add_terminals(Scored_cut& best)
+  void record(Cut_step::Kind kind, const Scored_cut& step)
+  {
+    m_report.history.push_back({kind, step.terminal, step.score.score, step.score.stretch, step.score.length});
+  }
+
+  /// the cuts that reach one terminal more, of those that are not too long
+  std::vector<Trial> extensions(const Cut& shorter, const std::vector<int>& terminals) const
+  {
+    std::vector<Trial> trials;
+    for(int terminal : terminals) {
+      Cut cut = shorter;
+      connect_terminal(m_surface, terminal, cut);
+      reroute_cut(m_surface, cut);
+      if(cut.length(m_surface) <= m_options.max_cut_length * std::sqrt(m_surface.area))
+        trials.push_back({std::move(cut), terminal});
+    }
+    return trials;
+  }
+
+  /// the cut without one of its terminals
+  Cut without(int terminal, Cut cut) const
+  {
+    cut.remove_terminal(terminal);
+    prune(m_surface, cut);
+    reroute_cut(m_surface, cut);
+    return cut;
+  }
+
+  /// adds, as long as patience lasts, the terminal that gives the least score; \p best becomes the best on the way.
+  /// Returns the last.
+  Scored_cut add_terminals(Scored_cut& best)
   {
     Scored_cut current = best;
     int failures = 0;
     for(int i = 0; i < m_options.maximum_additions && failures < m_options.patience; ++i) {
-      std::optional<Scored_cut> grown;
-      int terminal = -1;
-      for(int candidate : candidate_terminals(current.cut)) {
-        Cut cut = current.cut;
-        connect_terminal(m_surface, candidate, cut);
-        reroute_cut(m_surface, cut);
-        if(cut.length(m_surface) > m_options.max_cut_length * std::sqrt(m_surface.area))
-          continue;
-        const Scored_cut trial = scored(cut);
-        if(!grown || trial.score.score < grown->score.score) {
-          grown = trial;
-          terminal = candidate;
-        }
-      }
-      if(!grown)
-        return;
-      current = *grown;
-      record(Cut_step::ADDED, terminal, current);
+      std::vector<Trial> trials = extensions(current.cut, candidate_terminals(current.cut));
+      if(trials.empty())
+        break;
+      current = best_of(std::move(trials));
+      record(Cut_step::ADDED, current);
       failures = current.score.score < best.score.score ? 0 : failures + 1;
       if(failures == 0)
         best = current;
     }
+    return current;
   }
 
   std::vector<int> candidate_terminals(const Cut& cut) const
@@ -169,29 +213,46 @@ private:
     return candidates;
   }
 
-  /// drops, as long as the score falls, the terminal whose loss gives the least score
-  void drop_terminals(Scored_cut& best)
+  /// a sphere is not cut without two terminals
+  std::size_t least_terminals() const { return m_surface.border_loops.empty() && m_surface.genus() == 0 ? 2 : 0; }
+
+  /// drops, as long as patience lasts, the terminal whose loss gives the least score; \p best becomes the best on the
+  /// way
+  void drop_terminals(Scored_cut current, Scored_cut& best)
   {
-    // a sphere is not cut without two terminals
-    const std::size_t needed = m_surface.border_loops.empty() && m_surface.genus() == 0 ? 2 : 0;
-    while(best.cut.terminals().size() > needed) {
-      std::optional<Scored_cut> lower;
-      int dropped = -1;
-      for(int terminal : best.cut.terminals()) {
-        Cut cut = best.cut;
-        cut.remove_terminal(terminal);
-        prune(m_surface, cut);
-        reroute_cut(m_surface, cut);
-        const Scored_cut trial = scored(cut);
-        if(trial.score.score < (lower ? lower->score.score : best.score.score)) {
-          lower = trial;
-          dropped = terminal;
+    int failures = 0;
+    while(current.cut.terminals().size() > least_terminals() && failures < m_options.patience) {
+      std::vector<Trial> trials;
+      for(int terminal : current.cut.terminals())
+        trials.push_back({without(terminal, current.cut), terminal});
+      current = best_of(std::move(trials));
+      record(Cut_step::DROPPED, current);
+      failures = current.score.score < best.score.score ? 0 : failures + 1;
+      if(failures == 0)
+        best = current;
+    }
+  }
+
+  /// lets each terminal in turn give way to a better one, as long as the score falls
+  void move_terminals(Scored_cut& best)
+  {
+    bool is_changed = true;
+    for(int round = 0; round < m_options.rounds_of_moves && is_changed; ++round) {
+      is_changed = false;
+      for(int terminal : std::vector<int>(best.cut.terminals())) {
+        const Cut shorter = without(terminal, best.cut);
+        if(best.cut.terminals().size() <= least_terminals())
+          return;
+        std::vector<int> places = candidate_terminals(shorter);
+        for(int e : m_surface.vertex_edges[terminal])
+          places.push_back(m_surface.other_end(e, terminal));
+        Scored_cut moved = best_of(extensions(shorter, places));
+        if(moved.score.score < best.score.score) {
+          best = std::move(moved);
+          record(Cut_step::MOVED, best);
+          is_changed = true;
         }
       }
-      if(!lower)
-        return;
-      best = *lower;
-      record(Cut_step::DROPPED, dropped, best);
     }
   }
 

@@ -20,8 +20,10 @@ struct Cut_score_options
 {
   double cut_weight = 0.05; ///< stretch that a cut of length sqrt(area) must save
   double balance = 0.3;     ///< of the energy that is minimised
-  int corner_candidates = 4;
-  int newton_steps = 12; ///< per candidate
+  int corner_candidates = 8;
+  int iterations = 3;         ///< of the stretch iteration, per candidate
+  int refined_candidates = 2; ///< how many of them go on
+  int newton_steps = 12;      ///< of each of these
 };
 
 /// what a cut is worth; the lower the better
@@ -46,23 +48,33 @@ inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
   return candidates;
 }
 
-/// the least stretch of the opened surface on the square among a few corners, each with a few Newton steps
+/// the least stretch of the opened surface on the square among a few corners: all get a few cheap iterations, the most
+/// promising some Newton steps
 inline double least_stretch(const Patch& patch, const Cut_score_options& options)
 {
-  Balanced_minimization minimization;
-  minimization.balance = options.balance;
-  minimization.maximum_iterations = options.newton_steps;
-  minimization.tolerance = 1e-3; // the score need not be better than what it decides
-  const Map_minimizer minimizer = minimization.make_minimizer(patch);
-  const Map_minimizer::Worker map_for = minimizer.make_worker();
+  Stretch_minimization start;
+  start.maximum_iterations = options.iterations;
+  const Stretch_iteration iteration = start.make_iteration(patch);
+  Stretch_iteration::Workspace iteration_workspace;
   const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<Minimized_map> maps;
   for(int candidate : spread_candidates(walk, options.corner_candidates)) {
     const Square_border border = square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST));
-    const Minimized_map map = map_for(border.uv);
-    if(map.uv.rows() > 0)
-      least = (std::min)(least, map.report.l2);
+    maps.push_back(iteration.minimize(border.uv, 1, iteration_workspace));
   }
+  std::stable_sort(maps.begin(), maps.end(),
+                   [](const Minimized_map& a, const Minimized_map& b) { return a.report.l2 < b.report.l2; });
+  double least = maps.front().report.l2;
+  Balanced_options newton;
+  newton.balance = options.balance;
+  newton.maximum_iterations = options.newton_steps;
+  newton.tolerance = 1e-3; // the score need not be better than what it decides
+  const Balanced_minimizer minimizer(patch, newton);
+  Balanced_minimizer::Workspace workspace;
+  maps.resize((std::min)(maps.size(), static_cast<std::size_t>(options.refined_candidates)));
+  for(Minimized_map& map : maps)
+    if(map.uv.rows() > 0)
+      least = (std::min)(least, minimizer.minimize(std::move(map.uv), workspace).report.l2);
   return least;
 }
 

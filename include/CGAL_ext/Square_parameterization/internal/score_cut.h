@@ -78,11 +78,13 @@ inline double least_stretch(const Patch& patch, const Cut_score_options& options
   return least;
 }
 
-/// the opened surface as it is mapped: without chords
+/// the opened surface as it is mapped: without chords. Throws `Unmappable` as `make_patch()`, also for a sphere that is
+/// cut along one edge alone: its border of two vertices is none.
 inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
 {
   const Triangle_surface opened = split_surface_chords(opened_surface(surface, cut));
-  return make_patch(opened.points, opened.triangles, opened.border_loops.at(0));
+  return make_patch(opened.points, opened.triangles,
+                    opened.border_loops.empty() ? std::vector<int>() : opened.border_loops.front());
 }
 
 /// scores a cut by the stretch that it leaves on the square and by its length

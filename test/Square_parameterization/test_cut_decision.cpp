@@ -139,7 +139,7 @@ TEST_CASE("large surfaces are decided on by a simplified copy of the same topolo
     CHECK(simplified->area == Approx(surface.area).epsilon(0.05));
 
     const Decision decision = decide(surface);
-    CHECK(decision.report.decision_faces == static_cast<std::size_t>(simplified->number_of_faces()));
+    CHECK(decision.report.decision_faces < simplified->triangles.size());
     CHECK(opened_surface(surface, decision.cut).is_disk());
     // the cut of the surface is like the one decided on
     double best = std::numeric_limits<double>::infinity(), length = 0;

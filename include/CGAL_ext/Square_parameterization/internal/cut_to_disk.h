@@ -63,16 +63,16 @@ inline Cut shortest_cut(const Triangle_surface& surface)
                            [&surface](const Cut& a, const Cut& b) { return a.length(surface) < b.length(surface); });
 }
 
-/// a cut that leaves little stretch. Large surfaces are decided on by a simplified copy.
+/// a cut that leaves little stretch. Large surfaces are decided on by a simplified copy: what a finer one would tell
+/// more is less than what more trials find in the same time.
 inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options, Cut_report& report)
 {
-  const int DECISION_FACES = getenv("CD")?atoi(getenv("CD")):1200;
+  constexpr int DECISION_FACES = 800;
+  constexpr double LEAST_BALANCE = 0.1; // with less, a few Newton steps do not tell cuts apart: the map tears
   Cut_growth_options growth;
   growth.scoring.cut_weight = options.cut_weight;
-  growth.scoring.balance = options.balance;
+  growth.scoring.balance = (std::max)(options.balance, LEAST_BALANCE);
   growth.max_cut_length = options.max_cut_length;
-  auto ev=[](const char*n,double d){const char*x=getenv(n);return x?atof(x):d;};
-  growth.scoring.balance=ev("CB",growth.scoring.balance); growth.scoring.corner_candidates=ev("CC",8); growth.scoring.newton_steps=ev("CN",12); growth.farthest_points=ev("CF",6); growth.stretch_maxima=ev("CM",6); growth.roots=ev("CR",6);growth.patience=ev("PA",3);growth.finalists=ev("FI",3);growth.quick_newton_steps=ev("QN",2);growth.quick_corner_candidates=ev("QC",4);growth.scoring.refined_candidates=ev("CX",2);growth.scoring.iterations=ev("CI",3);growth.rounds_of_moves=ev("RM",2);growth.scoring.cut_weight=ev("CW",growth.scoring.cut_weight);
   if(surface.number_of_faces() > 3 * DECISION_FACES / 2)
     if(const auto simplified = decimate_surface(surface, DECISION_FACES)) {
       report.decision_faces = simplified->number_of_faces();

@@ -31,13 +31,13 @@ struct Cut_growth_options
   Cut_score_options scoring;
   double max_cut_length = std::numeric_limits<double>::infinity(); ///< in units of sqrt(area)
   int maximum_additions = 10;
-  int patience = 3;        ///< additions in a row that may fail to lower the score
-  int farthest_points = 3; ///< candidates of each kind, per addition
-  int stretch_maxima = 3;
+  int patience = 3;         ///< additions in a row that may fail to lower the score
+  int farthest_points = 10; ///< candidates of each kind, per addition
+  int stretch_maxima = 10;
   int quick_corner_candidates = 4, quick_newton_steps = 2; ///< of the score that picks finalists
-  int finalists = 3;
-  int rounds_of_moves = 2;
-  int roots = 6; ///< trees tried on a closed surface with handles
+  int finalists = 8;
+  int rounds_of_moves = 3;
+  int roots = 12; ///< trees tried on a closed surface with handles
 };
 
 /// vertices far from the seams, each far from those before it, too

@@ -22,7 +22,7 @@ struct Cut_score_options
   double balance = 0.3;     ///< of the energy that is minimised
   int corner_candidates = 8;
   int iterations = 3;         ///< of the stretch iteration, per candidate
-  int refined_candidates = 2; ///< how many of them go on
+  int refined_candidates = 1; ///< how many of them go on
   int newton_steps = 12;      ///< of each of these
 };
 

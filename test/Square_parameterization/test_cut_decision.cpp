@@ -198,6 +198,14 @@ TEST_CASE("seams that make no sense are refused")
   CHECK_THAT(refusal(surface_of(torus(9, 9)), {{0, 5}}), Contains("vertex 0 to vertex 5 is not an edge"));
 }
 
+TEST_CASE("what is no disk is refused when it is not to be cut")
+{
+  Cut_options options;
+  options.mode = Cut_mode::NONE;
+  CHECK_THROWS_AS(decide(surface_of(tetrahedron()), options), Unmappable);
+  CHECK(decide(surface_of(plane(4, 1)), options).cut.edges().empty());
+}
+
 TEST_CASE("a soup is cut with its vertices in order and copies at the end")
 {
   const Closed_mesh mesh = ellipsoid(2);

@@ -85,7 +85,7 @@ inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options,
 /// decides how the surface is cut to a disk: along the given seams and what they lack, or by the mode of the options.
 /// A disk is not cut, except along given seams. Deterministic.
 ///
-/// Throws `Unmappable` when the mode is to refuse surfaces that are no disks, and for seams that make no sense.
+/// Throws `Unmappable` when nothing is to be cut and the surface is no disk, and for seams that make no sense.
 inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
                        const Cut_options& options, Cut_report& report)
 {
@@ -94,6 +94,9 @@ inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::a
     cut = complete_seams(surface, seams);
   else if(surface.is_disk())
     return cut;
+  else if(options.mode == Cut_mode::NONE)
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
+                     "the surface is not a disk, and it is not to be cut");
   else if(options.mode == Cut_mode::BEST)
     cut = best_cut(surface, options, report);
   else

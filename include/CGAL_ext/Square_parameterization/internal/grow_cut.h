@@ -240,9 +240,9 @@ private:
     for(int round = 0; round < m_options.rounds_of_moves && is_changed; ++round) {
       is_changed = false;
       for(int terminal : std::vector<int>(best.cut.terminals())) {
-        const Cut shorter = without(terminal, best.cut);
         if(best.cut.terminals().size() <= least_terminals())
           return;
+        const Cut shorter = without(terminal, best.cut);
         std::vector<int> places = candidate_terminals(shorter);
         for(int e : m_surface.vertex_edges[terminal])
           places.push_back(m_surface.other_end(e, terminal));

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/reroute_cut.h>
 
+#include <limits>
 #include <vector>
 
 namespace CGAL_ext {

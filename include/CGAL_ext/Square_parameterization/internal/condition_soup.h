@@ -149,8 +149,8 @@ enum class Topology
   CONNECTED ///< with any number of borders and handles: to be cut
 };
 
-/// refuses oriented manifold-edged surfaces that are not manifold and connected or, where it is asked for, not one disk:
-/// counts components, pinched vertices, borders, genus
+/// refuses oriented manifold-edged surfaces that are not manifold and connected or, where it is asked for, not one
+/// disk: counts components, pinched vertices, borders, genus
 inline void check_topology(const Surface_soup& soup, Topology topology)
 {
   const std::size_t V = soup.points.size(), F = soup.faces.size();
@@ -223,8 +223,8 @@ inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& repo
       v = report.new_index[v];
 }
 
-/// makes a soup one connected, manifold, oriented triangle surface by turning faces round and dropping isolated vertices,
-/// or throws `Unmappable` with a sentence that counts what is wrong and names the first places.
+/// makes a soup one connected, manifold, oriented triangle surface by turning faces round and dropping isolated
+/// vertices, or throws `Unmappable` with a sentence that counts what is wrong and names the first places.
 /// \pre every index of a face is that of a point, every coordinate is finite
 inline Conditioning_report condition_soup(Surface_soup& soup, Topology topology = Topology::DISK)
 {

@@ -113,10 +113,10 @@ inline void cut_sphere(const Triangle_surface& surface, Cut& cut)
 
 /// cuts the surface to a disk: adds what is missing to the fixed edges of \p cut.
 ///
-/// The cut consists of the edges that are neither in the cotree nor on the border, less the loose ends. The tree is that
-/// of Dijkstra from \p root, with every border loop and every piece of fixed edges as one node: else equal distances let
-/// the tree enter a hole twice. The cotree, of faces, is the heaviest that does not cross the tree, by d(u) + d(v) + length: the cut
-/// then consists of the shortest loops through the root (Erickson and Whittlesey 2005).
+/// The cut consists of the edges that are neither in the cotree nor on the border, less the loose ends. The tree is
+/// that of Dijkstra from \p root, with every border loop and every piece of fixed edges as one node: else equal
+/// distances let the tree enter a hole twice. The cotree, of faces, is the heaviest that does not cross the tree, by
+/// d(u) + d(v) + length: the cut then consists of the shortest loops through the root (Erickson and Whittlesey 2005).
 /// \param root where the tree starts on a closed surface; a border or a fixed edge goes before it
 /// \pre the fixed edges do not separate the surface
 inline void initial_cut(const Triangle_surface& surface, int root, Cut& cut)

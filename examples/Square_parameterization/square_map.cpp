@@ -6,6 +6,8 @@
 #include "include/square_map/Output_file.h"
 #include "include/square_map/report.h"
 
+#include <CGAL_ext/Square_parameterization/internal/cut_soup.h>
+
 #include <unistd.h>
 
 #include <chrono>
@@ -83,11 +85,20 @@ Exit_status run(Command_line line)
     report = std::make_unique<Output_file>(line.json);
 
   const auto condition_start = Clock::now();
-  const auto conditioning = CGAL_ext::internal::condition_soup(soup);
+  const bool may_cut = line.cut_options.mode != CGAL_ext::Cut_mode::NONE || !line.seams.empty();
+  using CGAL_ext::internal::Topology;
+  const auto conditioning = CGAL_ext::internal::condition_soup(soup, may_cut ? Topology::CONNECTED : Topology::DISK);
+  const auto cut_start = Clock::now();
+  std::vector<std::array<int, 2>> seams;
+  if(!line.seams.empty())
+    seams = read_seams(line.seams, conditioning);
+  CGAL_ext::Cut_report cut;
+  const std::vector<int> originals = CGAL_ext::internal::cut_soup(soup, seams, line.cut_options, cut);
+  seconds.cut = seconds_since(cut_start);
   Mesh mesh = make_mesh(soup);
   if(line.corners)
     line.options.corners = conditioned_corners(*line.corners, conditioning, mesh);
-  seconds.condition = seconds_since(condition_start);
+  seconds.condition = seconds_since(condition_start) - seconds.cut;
 
   Progress progress;
   if(!line.is_quiet && isatty(STDERR_FILENO) != 0)
@@ -107,13 +118,13 @@ Exit_status run(Command_line line)
 
   const auto write_start = Clock::now();
   if(output) {
-    write_map(output->stream(), mesh, uv, extension_of(line.output));
+    write_map(output->stream(), mesh, uv, originals, extension_of(line.output));
     output->close();
   }
   seconds.write = seconds_since(write_start);
   seconds.total = seconds_since(start);
   if(!line.json.empty()) {
-    const auto json = make_report(line, input_vertices, input_faces, conditioning, mesh, result, seconds);
+    const auto json = make_report(line, input_vertices, input_faces, conditioning, cut, mesh, result, seconds);
     std::ostream& stream = report ? static_cast<std::ostream&>(report->stream()) : std::cout;
     // a file name need not be UTF-8
     stream << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
@@ -130,6 +141,8 @@ Exit_status run(Command_line line)
       std::cerr << conditioning.faces_reoriented << " faces were turned round to agree with their neighbors\n";
     if(conditioning.vertices_dropped > 0)
       std::cerr << conditioning.vertices_dropped << " isolated vertices were dropped\n";
+    if(cut.seam_edges > 0)
+      std::cerr << "cut along " << cut.seam_edges << " edges, " << cut.cut_length << " sqrt(area) long\n";
     if(result.chords_split > 0)
       std::cerr << result.chords_split << " chords were split\n";
     std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << result.search.best_candidate << ", "

@@ -71,18 +71,19 @@ void check_refusal_of_input(const std::string& input, Exit_status status, const 
 }
 
 void check_refusal_of_text(const std::string& name, const std::string& text, Exit_status status,
-                           const std::string& words = "")
+                           const std::string& words = "", const Arguments& options = {})
 {
   INFO(name << " of " << text.size() << " bytes");
   const Temporary_folder folder;
-  check_refusal_of_input(folder.add(name, text), status, words);
+  check_refusal_of_input(folder.add(name, text), status, words, options);
 }
 
-void check_refusal_of_soup(const Soup& soup, Exit_status status, const std::string& words = "")
+void check_refusal_of_soup(const Soup& soup, Exit_status status, const std::string& words = "",
+                           const Arguments& options = {})
 {
   for(const auto& [name, text] : {std::make_pair("in.off", off(soup)), std::make_pair("in.obj", obj(soup)),
                                   std::make_pair("in.ply", ply(soup)), std::make_pair("in.PLY", binary_ply(soup))})
-    check_refusal_of_text(name, text, status, words);
+    check_refusal_of_text(name, text, status, words, options);
 }
 
 /// a map that the command wrote, its report and the messages that came with it
@@ -388,10 +389,10 @@ TEST_CASE("a border vertex touched by two border loops cannot be mapped")
   check_refusal_of_soup(bow_tie, UNMAPPABLE, "vertex 0");
 }
 
-TEST_CASE("a closed surface cannot be mapped")
+TEST_CASE("a closed surface cannot be mapped uncut")
 {
   const Soup tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  check_refusal_of_soup(tetrahedron, UNMAPPABLE, "closed");
+  check_refusal_of_soup(tetrahedron, UNMAPPABLE, "closed", {"--cut", "none"});
 }
 
 TEST_CASE("two components cannot be mapped")
@@ -429,9 +430,57 @@ Soup ring(int length, bool is_twisted)
 
 } // namespace
 
-TEST_CASE("an annulus cannot be mapped")
+TEST_CASE("a closed surface is cut: its vertices stay, seams part the texture alone")
 {
-  check_refusal_of_soup(ring(12, false), UNMAPPABLE, "2 border loops");
+  const Soup octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                        {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  for(const Arguments& options : {Arguments{}, Arguments{"--cut", "shortest"}, Arguments{"--seams"}}) {
+    const Temporary_folder folder;
+    const std::string input = folder.add("in.off", off(octahedron)), output = folder / "map.obj";
+    Arguments arguments = Arguments{input, "-o", output, "--json", "-", "--quiet"} + options;
+    if(!options.empty() && options[0] == "--seams")
+      arguments.push_back(folder.add("seams.txt", "0 4\n\n4 1\n"));
+    const Finished_process result = square_map(arguments);
+    REQUIRE(result.status == DONE);
+    const auto conditioned = nlohmann::json::parse(result.out)["conditioned"];
+    const std::size_t seams = conditioned["seam_edges"], chords = conditioned["chords_split"];
+    CHECK(seams >= 2);
+    CHECK(conditioned["cut_length"] == Approx(seams * std::sqrt(2.) / std::sqrt(4 * std::sqrt(3.))));
+    CHECK(conditioned["border_edges"] == 2 * seams);
+
+    std::istringstream lines(read_file(output));
+    std::vector<Point> points;
+    std::size_t texture_vertices = 0, faces = 0;
+    for(std::string line, key; std::getline(lines, line);) {
+      std::istringstream words(line);
+      words >> key;
+      if(key == "v")
+        points.push_back(next_point(words));
+      texture_vertices += key == "vt" ? 1 : 0;
+      faces += key == "f" ? 1 : 0;
+    }
+    REQUIRE(points.size() == octahedron.points.size() + chords);
+    CHECK(std::equal(octahedron.points.begin(), octahedron.points.end(), points.begin()));
+    CHECK(texture_vertices == points.size() + seams - 1);
+    CHECK(faces == octahedron.faces.size() + 2 * chords);
+  }
+}
+
+TEST_CASE("seams that make no sense are refused")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  const auto seams = [&](const std::string& text) { return Arguments{"--seams", folder.add("seams.txt", text)}; };
+  check_refusal_of_input(input, BAD_FILE, "line 2", seams("0 1\n1 x\n"));
+  check_refusal_of_input(input, BAD_FILE, "vertex 35", seams("0 35\n"));
+  check_refusal_of_input(input, BAD_FILE, "line 1", seams("0 1 2\n"));
+  check_refusal_of_input(input, UNMAPPABLE, "not an edge", seams("0 34\n"));
+  check_refusal_of_input(input, BAD_FILE, "cannot read", {"--seams", folder / "missing.txt"});
+}
+
+TEST_CASE("an annulus cannot be mapped uncut")
+{
+  check_refusal_of_soup(ring(12, false), UNMAPPABLE, "2 border loops", {"--cut", "none"});
 }
 
 TEST_CASE("a Moebius strip cannot be mapped")
@@ -439,7 +488,7 @@ TEST_CASE("a Moebius strip cannot be mapped")
   check_refusal_of_soup(ring(12, true), UNMAPPABLE, "not orientable");
 }
 
-TEST_CASE("a torus with a hole cannot be mapped")
+TEST_CASE("a torus with a hole cannot be mapped uncut")
 {
   Soup soup;
   for(int i = 0; i < 25; ++i) {
@@ -452,7 +501,7 @@ TEST_CASE("a torus with a hole cannot be mapped")
                       {{vertex(0, 0), vertex(1, 0), vertex(1, 1)}, {vertex(0, 0), vertex(1, 1), vertex(0, 1)}});
   }
   soup.faces.erase(soup.faces.begin(), soup.faces.begin() + 2);
-  check_refusal_of_soup(soup, UNMAPPABLE, "genus");
+  check_refusal_of_soup(soup, UNMAPPABLE, "genus", {"--cut", "none"});
 }
 
 TEST_CASE("a border of three vertices cannot be mapped")
@@ -695,7 +744,7 @@ TEST_CASE("the report holds what it promises")
   CHECK(report["best"]["corners"].size() == 4);
   CHECK(report["threads"] >= 1);
   double sum = 0;
-  for(const char* key : {"read", "condition", "search", "final", "write"}) {
+  for(const char* key : {"read", "condition", "cut", "search", "final", "write"}) {
     CHECK(report["seconds"][key] >= 0);
     sum += report["seconds"][key].get<double>();
   }

@@ -53,29 +53,35 @@ inline void read_counted_faces(std::istream& stream, std::size_t count, Map& map
   }
 }
 
-/// each corner of a face must name the texture vertex of its own number
+/// the map of a surface as it was cut: one point per texture vertex, all corners of which must name the same vertex
 inline Map read_obj_map(const std::string& text)
 {
   Map map;
+  std::vector<Point> vertices;
+  std::vector<long> vertex_of; // per texture vertex
   std::istringstream lines(text);
   for(std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     const std::string kind = next<std::string>(words);
     if(kind == "v")
-      map.points.push_back(next_point(words));
-    else if(kind == "vt")
+      vertices.push_back(next_point(words));
+    else if(kind == "vt") {
       map.uv.push_back(next_uv(words));
-    else if(kind == "f") {
+      vertex_of.push_back(-1);
+    } else if(kind == "f") {
       map.faces.emplace_back();
       for(std::string corner; words >> corner;) {
-        const long v = std::stol(corner);
-        if(corner != std::to_string(v) + '/' + std::to_string(v))
+        const long v = std::stol(corner) - 1, vt = std::stol(corner.substr(corner.find('/') + 1)) - 1;
+        if(vertex_of.at(vt) >= 0 && vertex_of[vt] != v)
           throw std::runtime_error("unexpected corner " + corner);
-        map.faces.back().push_back(v - 1);
+        vertex_of[vt] = v;
+        map.faces.back().push_back(vt);
       }
     } else
       throw std::runtime_error("unexpected line " + line);
   }
+  for(long v : vertex_of)
+    map.points.push_back(vertices.at(v));
   return map;
 }
 

@@ -5,6 +5,7 @@
 #define SQUARE_MAP_COMMAND_LINE_H
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
@@ -40,11 +41,12 @@ struct Command_line
 {
   bool wants_help = false;
   std::string help;
-  std::string input, output, json;
+  std::string input, output, json, seams;
   std::string strategy = "hybrid", minimizer = "iterative";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
   bool is_quiet = false;
   CGAL_ext::Square_map_options options;
+  CGAL_ext::Cut_options cut_options;
 };
 
 /// the value that a name stands for, or a usage error that lists the names
@@ -129,7 +131,7 @@ inline void check_outputs(const Command_line& line)
     if(extension != "obj" && extension != "off" && extension != "ply")
       throw Usage_error("the output '" + line.output + "' must end in .obj, .off or .ply");
   }
-  std::vector<std::string> files{line.input, line.output, line.json == "-" ? "" : line.json};
+  std::vector<std::string> files{line.input, line.seams, line.output, line.json == "-" ? "" : line.json};
   for(std::size_t i = 0; i < files.size(); ++i)
     for(std::size_t j = i + 1; j < files.size(); ++j) {
       std::error_code error;
@@ -146,7 +148,7 @@ inline Command_line parse_command_line(int argc, char** argv)
 {
   namespace po = boost::program_options;
   Command_line line;
-  std::string weights_name, rule, walk, preset, corners, border;
+  std::string weights_name, rule, walk, preset, corners, border, cut;
   double eta = 0, balance = 0;
   int patience = 0, threads = 0;
   Tuning tuning;
@@ -163,6 +165,14 @@ inline Command_line parse_command_line(int argc, char** argv)
       "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
   add("border", po::value(&border)->value_name("NAME"),
       "fixed or sliding; default fixed for iterative, sliding for optimal");
+  add("cut", po::value(&cut)->value_name("NAME"),
+      "how a surface that is not a disk is cut: best (default): for little stretch; shortest; none: it is refused");
+  add("cut-weight", po::value(&line.cut_options.cut_weight)->value_name("X"),
+      "best: stretch that a cut of the length sqrt(area) must save; default 0.05");
+  add("max-cut-length", po::value(&line.cut_options.max_cut_length)->value_name("X"),
+      "best: length, in units of sqrt(area), beyond which a cut is not extended");
+  add("seams", po::value(&line.seams)->value_name("FILE"),
+      "edges to cut along, two vertex numbers a line, counted from 0; what they lack is added");
   add("weights", po::value(&weights_name)->value_name("NAME"),
       "blended (default), shape-preserving, shape-preserving-plain, mean-value, symmetric-mean-value, uniform, "
       "clamped-cotangent, harmonic");
@@ -185,7 +195,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   all.add(visible).add_options()("input", po::value(&line.input));
   std::ostringstream help;
   help << "usage: square_map INPUT [options]\n"
-          "maps a triangle mesh with one border (OFF, OBJ, PLY, STL) onto the unit square with little stretch\n"
+          "maps a triangle mesh (OFF, OBJ, PLY, STL), cut where it must be, onto the unit square with little stretch\n"
        << visible
        << "exit status: 0 done; 2 bad command line; 3 unreadable or malformed file; 4 the surface cannot be mapped;\n"
           "5 no one-to-one map was found\n";
@@ -212,7 +222,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   for(const char* number : {"threads", "patience", "step", "interval", "seed"})
     if(is_given(number) && (given[number].as<int>() < 0 || given[number].as<int>() > 1000000))
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
-  for(const char* file : {"output", "json"})
+  for(const char* file : {"output", "json", "seams"})
     if(is_given(file) && given[file].as<std::string>().empty())
       throw Usage_error(std::string("--") + file + " needs the name of a file");
 
@@ -239,6 +249,15 @@ inline Command_line parse_command_line(int argc, char** argv)
     else if(motion == Border_motion::SLIDING)
       throw Usage_error("--border sliding goes with --minimizer optimal");
   }
+  if(is_given("cut")) {
+    using CGAL_ext::Cut_mode;
+    line.cut_options.mode = named<Cut_mode>(
+        {{"none", Cut_mode::NONE}, {"shortest", Cut_mode::SHORTEST}, {"best", Cut_mode::BEST}}, "cut", cut);
+  }
+  if(options.balanced)
+    line.cut_options.balance = options.balanced->balance;
+  if(!line.cut_options.is_valid())
+    throw Usage_error("--cut-weight and --max-cut-length must not be negative");
   options.search = named(strategies(tuning), "strategy", line.strategy);
   if(is_given("weights"))
     options.minimization.weights = named(weights(), "weights", weights_name);

@@ -6,6 +6,8 @@
 
 #include "Command_line.h"
 
+#include <CGAL_ext/Square_parameterization/Cut_report.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -15,7 +17,7 @@ namespace square_map {
 /// seconds spent in each part of the run
 struct Timings
 {
-  double read = 0, condition = 0, search = 0, final = 0, write = 0, total = 0;
+  double read = 0, condition = 0, cut = 0, search = 0, final = 0, write = 0, total = 0;
 };
 
 /// a number for JSON, which has no infinity: null then
@@ -26,7 +28,8 @@ inline nlohmann::ordered_json number(double x)
 
 /// the report of a run that made a map
 inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t input_vertices, std::size_t input_faces,
-                                          const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh,
+                                          const CGAL_ext::internal::Conditioning_report& conditioning,
+                                          const CGAL_ext::Cut_report& cut, const Mesh& mesh,
                                           const CGAL_ext::Square_map_result<Mesh>& result, const Timings& seconds)
 {
   nlohmann::ordered_json json;
@@ -34,11 +37,18 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
   json["conditioned"] = {{"vertices", mesh.number_of_vertices()},
                          {"faces", mesh.number_of_faces()},
                          {"border_edges", result.border_edges},
-                         {"seam_edges", 0},
-                         {"cut_length", 0},
+                         {"seam_edges", cut.seam_edges},
+                         {"cut_length", cut.cut_length},
                          {"chords_split", result.chords_split},
                          {"vertices_dropped", conditioning.vertices_dropped},
                          {"faces_reoriented", conditioning.faces_reoriented}};
+  static const char* const step_names[] = {"initial", "added", "dropped", "moved"};
+  json["cut"] = {{"decision_faces", cut.decision_faces}, {"history", nlohmann::ordered_json::array()}};
+  for(const CGAL_ext::Cut_step& step : cut.history)
+    json["cut"]["history"].push_back({{"step", step_names[step.kind]},
+                                      {"score", number(step.score)},
+                                      {"l2", number(step.stretch)},
+                                      {"cut_length", step.length}});
   json["strategy"] = line.strategy;
   json["minimizer"] = line.minimizer;
   json["candidates"] = result.search.candidates;
@@ -60,8 +70,9 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
         {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.stretch)}});
   const unsigned int threads = line.options.search_options.number_of_threads;
   json["threads"] = threads == 0 ? CGAL_ext::internal::default_number_of_threads() : threads;
-  json["seconds"] = {{"read", seconds.read},   {"condition", seconds.condition}, {"search", seconds.search},
-                     {"final", seconds.final}, {"write", seconds.write},         {"total", seconds.total}};
+  json["seconds"] = {{"read", seconds.read},     {"condition", seconds.condition}, {"cut", seconds.cut},
+                     {"search", seconds.search}, {"final", seconds.final},         {"write", seconds.write},
+                     {"total", seconds.total}};
   return json;
 }
 

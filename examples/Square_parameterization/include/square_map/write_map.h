@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace square_map {
 
@@ -28,27 +29,35 @@ inline std::string extension_of(const std::string& path)
   return extension;
 }
 
-/// Wavefront OBJ: one texture vertex per vertex, faces `v/vt`
-inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv)
+/// Wavefront OBJ: one texture vertex per vertex of the cut mesh, faces `v/vt`. The vertices are those of the uncut
+/// surface, in their order, followed by the midpoints of split chords: a seam parts texture vertices alone.
+/// \param originals per vertex of the cut mesh, the vertex of the uncut one; vertices beyond are midpoints
+inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv, const std::vector<int>& originals)
 {
+  const std::size_t uncut = originals.empty() ? 0 : *std::max_element(originals.begin(), originals.end()) + 1;
+  const auto vertex_number = [&](Mesh::Vertex_index v) {
+    return (v.idx() < originals.size() ? originals[v.idx()] : uncut + (v.idx() - originals.size())) + 1;
+  };
   for(Mesh::Vertex_index v : mesh.vertices())
-    stream << "v " << mesh.point(v) << '\n';
+    if(v.idx() < uncut || v.idx() >= originals.size())
+      stream << "v " << mesh.point(v) << '\n';
   for(Mesh::Vertex_index v : mesh.vertices())
     stream << "vt " << uv[v] << '\n';
   for(Mesh::Face_index f : mesh.faces()) {
     stream << 'f';
     for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      stream << ' ' << v.idx() + 1 << '/' << v.idx() + 1;
+      stream << ' ' << vertex_number(v) << '/' << v.idx() + 1;
     stream << '\n';
   }
 }
 
 /// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point)
 /// or ply (vertex properties s and t)
-inline void write_map(std::ostream& stream, Mesh& mesh, UV_map uv, const std::string& extension)
+inline void write_map(std::ostream& stream, Mesh& mesh, UV_map uv, const std::vector<int>& originals,
+                      const std::string& extension)
 {
   if(extension == "obj")
-    write_obj(stream, mesh, uv);
+    write_obj(stream, mesh, uv, originals);
   else if(extension == "off")
     CGAL::IO::write_OFF(stream, mesh, CGAL::parameters::vertex_texture_map(uv).stream_precision(17));
   else {

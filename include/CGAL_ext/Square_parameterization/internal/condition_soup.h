@@ -142,8 +142,16 @@ inline std::size_t orient_faces(Surface_soup& soup)
   return turned;
 }
 
-/// refuses oriented manifold-edged surfaces that are not one disk: counts components, pinched vertices, borders, genus
-inline void check_disk(const Surface_soup& soup)
+/// what a conditioned soup may be
+enum class Topology
+{
+  DISK,
+  CONNECTED ///< with any number of borders and handles: to be cut
+};
+
+/// refuses oriented manifold-edged surfaces that are not manifold and connected or, where it is asked for, not one
+/// disk: counts components, pinched vertices, borders, genus
+inline void check_topology(const Surface_soup& soup, Topology topology)
 {
   const std::size_t V = soup.points.size(), F = soup.faces.size();
   Disjoint_sets components(V), corners(3 * F), loops(V);
@@ -182,7 +190,7 @@ inline void check_disk(const Surface_soup& soup)
   complaint.add(pinched, "non-manifold vertex", "non-manifold vertices", pinched_places);
   if(number_of_components > 1)
     complaint.say(std::to_string(number_of_components) + " connected components");
-  if(pinched == 0 && number_of_components == 1) {
+  if(topology == Topology::DISK && pinched == 0 && number_of_components == 1) {
     const long euler = static_cast<long>(used + F) - static_cast<long>(E);
     if(borders == 0)
       complaint.say("it is closed: it has no border");
@@ -215,15 +223,15 @@ inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& repo
       v = report.new_index[v];
 }
 
-/// makes a soup one connected, manifold, oriented triangle disk by turning faces round and dropping isolated vertices,
-/// or throws `Unmappable` with a sentence that counts what is wrong and names the first places.
+/// makes a soup one connected, manifold, oriented triangle surface by turning faces round and dropping isolated
+/// vertices, or throws `Unmappable` with a sentence that counts what is wrong and names the first places.
 /// \pre every index of a face is that of a point, every coordinate is finite
-inline Conditioning_report condition_soup(Surface_soup& soup)
+inline Conditioning_report condition_soup(Surface_soup& soup, Topology topology = Topology::DISK)
 {
   Conditioning_report report;
   check_triangles_and_edges(soup);
   report.faces_reoriented = orient_faces(soup);
-  check_disk(soup);
+  check_topology(soup, topology);
   drop_isolated_vertices(soup, report);
   return report;
 }

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H
+
+#include <limits>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationConditioning
+///
+/// which cut turns a closed or holed surface into a disk
+enum class Cut_mode
+{
+  NONE,     ///< no cut: such a surface is refused
+  SHORTEST, ///< a short one
+  BEST      ///< one that leaves little stretch on the square
+};
+
+/// \ingroup PkgSquareParameterizationConditioning
+///
+/// how a surface that is not a disk is cut. A disk is never cut.
+struct Cut_options
+{
+  Cut_mode mode = Cut_mode::BEST;
+
+  /// `BEST`: L2 stretch that a cut as long as the square root of the area must save; not negative
+  double cut_weight = 0.05;
+
+  /// `BEST`: length, in units of the square root of the area, beyond which the cut is not extended. What the topology
+  /// needs is cut in any case.
+  double max_cut_length = std::numeric_limits<double>::infinity();
+
+  /// `BEST`: balance of the energy by which cuts are judged: see `Balanced_minimization`
+  double balance = 0.3;
+
+  /// indicates whether all numbers are in their range
+  bool is_valid() const { return cut_weight >= 0 && max_cut_length >= 0 && balance >= 0 && balance <= 1; }
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H

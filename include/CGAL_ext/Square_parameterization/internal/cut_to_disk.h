@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_TO_DISK_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_TO_DISK_H
+
+#include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/internal/decimate_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/grow_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/lift_cut.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// puts seams given as pairs of vertices into the cut; border edges need no cut.
+/// Throws `Unmappable` when a pair is not an edge, or the seams separate the surface.
+inline void fix_seams(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams, Cut& cut)
+{
+  namespace SMP = CGAL::Surface_mesh_parameterization;
+  for(const auto& [a, b] : seams) {
+    const std::array<int, 2> edge{(std::min)(a, b), (std::max)(a, b)};
+    const auto found = std::lower_bound(surface.edges.begin(), surface.edges.end(), edge);
+    if(found == surface.edges.end() || *found != edge)
+      throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the seam from vertex " + std::to_string(a) + " to vertex " +
+                                                       std::to_string(b) + " is not an edge of the surface");
+    const int e = static_cast<int>(found - surface.edges.begin());
+    if(!surface.is_border_edge(e))
+      cut.fix(surface, e);
+  }
+  Disjoint_sets faces(surface.triangles.size());
+  int pieces = surface.number_of_faces();
+  for(int h = 0; h < 3 * surface.number_of_faces(); ++h) {
+    const int opposite = surface.opposites[h];
+    if(opposite < h || cut.contains(surface.edge_of_halfedge[h]) || faces.find(h / 3) == faces.find(opposite / 3))
+      continue;
+    faces.unite(h / 3, opposite / 3);
+    --pieces;
+  }
+  if(pieces > 1)
+    throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC,
+                     "the seams cut the surface into " + std::to_string(pieces) + " pieces");
+}
+
+/// a cut that contains the given seams and what else makes the surface a disk
+inline Cut complete_seams(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams)
+{
+  Cut cut(surface);
+  fix_seams(surface, seams, cut);
+  initial_cut(surface, 0, cut);
+  reroute_cut(surface, cut);
+  return cut;
+}
+
+/// the shortest of the rerouted initial cuts
+inline Cut shortest_cut(const Triangle_surface& surface)
+{
+  const std::vector<Cut> cuts = rerouted_initial_cuts(surface, Cut_growth_options().roots);
+  return *std::min_element(cuts.begin(), cuts.end(),
+                           [&surface](const Cut& a, const Cut& b) { return a.length(surface) < b.length(surface); });
+}
+
+/// a cut that leaves little stretch. Large surfaces are decided on by a simplified copy: what a finer one would tell
+/// more is less than what more trials find in the same time.
+inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options, Cut_report& report)
+{
+  constexpr int DECISION_FACES = 800;
+  constexpr double LEAST_BALANCE = 0.1; // with less, a few Newton steps do not tell cuts apart: the map tears
+  Cut_growth_options growth;
+  growth.scoring.cut_weight = options.cut_weight;
+  growth.scoring.balance = (std::max)(options.balance, LEAST_BALANCE);
+  growth.max_cut_length = options.max_cut_length;
+  if(surface.number_of_faces() > 3 * DECISION_FACES / 2)
+    if(const auto simplified = decimate_surface(surface, DECISION_FACES)) {
+      report.decision_faces = simplified->number_of_faces();
+      return lift_cut(*simplified, Cut_growth(*simplified, growth, report)().cut, surface);
+    }
+  report.decision_faces = surface.number_of_faces();
+  return Cut_growth(surface, growth, report)().cut;
+}
+
+/// decides how the surface is cut to a disk: along the given seams and what they lack, or by the mode of the options.
+/// A disk is not cut, except along given seams. Deterministic.
+///
+/// Throws `Unmappable` when nothing is to be cut and the surface is no disk, and for seams that make no sense.
+inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
+                       const Cut_options& options, Cut_report& report)
+{
+  Cut cut(surface);
+  if(!seams.empty())
+    cut = complete_seams(surface, seams);
+  else if(surface.is_disk())
+    return cut;
+  else if(options.mode == Cut_mode::NONE)
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
+                     "the surface is not a disk, and it is not to be cut");
+  else if(options.mode == Cut_mode::BEST)
+    cut = best_cut(surface, options, report);
+  else
+    cut = shortest_cut(surface);
+  report.seam_edges = cut.edges().size();
+  report.cut_length = cut.length(surface) / std::sqrt(surface.area);
+  return cut;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_TO_DISK_H

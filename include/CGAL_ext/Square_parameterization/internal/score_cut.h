@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SCORE_CUT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SCORE_CUT_H
+
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/cut_open.h>
+#include <CGAL_ext/Square_parameterization/internal/split_surface_chords.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// how a cut is judged
+struct Cut_score_options
+{
+  double cut_weight = 0.05; ///< stretch that a cut of length sqrt(area) must save
+  double balance = 0.3;     ///< of the energy that is minimised
+  int corner_candidates = 8;
+  int iterations = 3;         ///< of the stretch iteration, per candidate
+  int refined_candidates = 1; ///< how many of them go on
+  int steps = 12;             ///< of the balanced minimizer, of each of these
+};
+
+/// what a cut is worth; the lower the better
+struct Cut_score
+{
+  double score = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
+  double stretch = std::numeric_limits<double>::infinity();
+  double length = 0; ///< in units of sqrt(area)
+};
+
+/// candidates of the first quarter of the border, spread evenly by length
+inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
+{
+  std::vector<int> candidates;
+  const int m = number_of_quarter_candidates(walk);
+  double length = 0;
+  for(int j = 0; j < m; ++j) {
+    if(length >= static_cast<double>(candidates.size()) * walk.total_length() / 4 / count)
+      candidates.push_back(j);
+    length += walk.length(j);
+  }
+  return candidates;
+}
+
+/// the least stretch of the opened surface on the square among a few corners: all get a few cheap iterations, the most
+/// promising some steps of the balanced minimizer
+inline double least_stretch(const Patch& patch, const Cut_score_options& options)
+{
+  constexpr double TOLERANCE = 1e-3; // the score need not be better than what it decides
+  Stretch_minimization start;
+  start.maximum_iterations = options.iterations;
+  const Stretch_iteration iteration = start.make_iteration(patch);
+  Stretch_iteration::Workspace iteration_workspace;
+  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  std::vector<Minimized_map> maps;
+  for(int candidate : spread_candidates(walk, options.corner_candidates)) {
+    const Square_border border = square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST));
+    maps.push_back(iteration.minimize(border.uv, 1, iteration_workspace));
+  }
+  std::stable_sort(maps.begin(), maps.end(),
+                   [](const Minimized_map& a, const Minimized_map& b) { return a.report.l2 < b.report.l2; });
+  double least = maps.front().report.l2;
+  Balanced_options balanced;
+  balanced.balance = options.balance;
+  balanced.maximum_iterations = options.steps;
+  const Balanced_minimizer minimizer(patch, balanced);
+  Balanced_minimizer::Workspace workspace;
+  maps.resize((std::min)(maps.size(), static_cast<std::size_t>(options.refined_candidates)));
+  for(Minimized_map& map : maps)
+    if(map.uv.rows() > 0)
+      least = (std::min)(least, minimizer.minimize({std::move(map.uv), {}}, TOLERANCE, workspace).report.l2);
+  return least;
+}
+
+/// the opened surface as it is mapped: without chords. Throws `Unmappable` as `make_patch()`, also for a sphere that is
+/// cut along one edge alone: its border of two vertices is none.
+inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
+{
+  const Triangle_surface opened = split_surface_chords(opened_surface(surface, cut));
+  return make_patch(opened.points, opened.triangles,
+                    opened.border_loops.empty() ? std::vector<int>() : opened.border_loops.front());
+}
+
+/// scores a cut by the stretch that it leaves on the square and by its length
+inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options)
+{
+  Cut_score score;
+  score.length = cut.length(surface) / std::sqrt(surface.area);
+  try {
+    score.stretch = least_stretch(patch_of_cut(surface, cut), options);
+  } catch(const Unmappable&) {
+    return score; // of this cut nothing is known but that it is not the best
+  }
+  score.score = score.stretch + options.cut_weight * score.length;
+  return score;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SCORE_CUT_H

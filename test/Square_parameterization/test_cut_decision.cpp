@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "closed_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/internal/cut_soup.h>
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+using Catch::Matchers::Contains;
+
+namespace {
+
+typedef std::vector<std::array<int, 2>> Seams;
+
+struct Decision
+{
+  Cut cut;
+  Cut_report report;
+};
+
+Decision decide(const Triangle_surface& surface, const Cut_options& options = {}, const Seams& seams = {})
+{
+  Cut_report report;
+  Cut cut = cut_to_disk(surface, seams, options, report);
+  return {std::move(cut), report};
+}
+
+Cut_options shortest()
+{
+  Cut_options options;
+  options.mode = Cut_mode::SHORTEST;
+  return options;
+}
+
+std::string refusal(const Triangle_surface& surface, const Seams& seams)
+{
+  try {
+    decide(surface, {}, seams);
+  } catch(const Unmappable& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+bool contains(const Triangle_surface& surface, const Cut& cut, const std::array<int, 2>& seam)
+{
+  for(int e : cut.edges())
+    if(surface.edges[e] == seam || surface.edges[e] == std::array<int, 2>{seam[1], seam[0]})
+      return true;
+  return false;
+}
+
+} // namespace
+
+TEST_CASE("every surface is cut to a disk by the short and by the best cut")
+{
+  for(const Named_mesh& named : many_surfaces()) {
+    INFO(named.name);
+    const Triangle_surface surface = surface_of(named.mesh);
+    for(const Cut_options& options : {Cut_options(), shortest()}) {
+      const Decision decision = decide(surface, options);
+      CHECK(opened_surface(surface, decision.cut).is_disk());
+      CHECK(decision.report.seam_edges == decision.cut.edges().size());
+      CHECK(decision.report.cut_length == Approx(decision.cut.length(surface) / std::sqrt(surface.area)));
+    }
+  }
+}
+
+TEST_CASE("a disk is left alone")
+{
+  const Decision decision = decide(surface_of(plane(6, 3)));
+  CHECK(decision.cut.edges().empty());
+  CHECK(decision.report.cut_length == 0);
+  CHECK(decision.report.history.empty());
+}
+
+TEST_CASE("the best cut scores no worse than the first, and the history tells how it was found")
+{
+  for(const Closed_mesh& mesh : {ellipsoid(3, 4), torus(16, 9), with_holes(ellipsoid(3), 3, 5)}) {
+    const Triangle_surface surface = surface_of(mesh);
+    const Decision decision = decide(surface);
+    const auto& history = decision.report.history;
+    REQUIRE(!history.empty());
+    CHECK(history.front().kind == Cut_step::INITIAL);
+    const Cut_score score = score_cut(surface, decision.cut, Cut_score_options());
+    CHECK(std::isfinite(score.score));
+    for(const Cut_step& step : history) {
+      CHECK(score.score <= step.score);
+      CHECK(step.score == Approx(step.stretch + 0.05 * step.length));
+    }
+  }
+}
+
+TEST_CASE("a longer cut of an elongated sphere leaves less stretch, and a heavier weight a shorter cut")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3));
+  Cut_options light, heavy;
+  light.cut_weight = 0.001;
+  heavy.cut_weight = 1;
+  const Decision long_cut = decide(surface, light), short_cut = decide(surface, heavy);
+  CHECK(long_cut.report.cut_length > short_cut.report.cut_length);
+  CHECK(score_cut(surface, long_cut.cut, {}).stretch < score_cut(surface, short_cut.cut, {}).stretch);
+}
+
+TEST_CASE("no cut is extended beyond the greatest length")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3));
+  Cut_options options;
+  options.cut_weight = 0;
+  const double free_length = decide(surface, options).report.cut_length;
+  options.max_cut_length = 0.8 * free_length;
+  CHECK(decide(surface, options).report.cut_length <= options.max_cut_length);
+}
+
+TEST_CASE("the decision is the same each time")
+{
+  const Triangle_surface surface = surface_of(with_holes(torus(20, 12), 2, 9));
+  CHECK(decide(surface).cut.edges() == decide(surface).cut.edges());
+}
+
+TEST_CASE("large surfaces are decided on by a simplified copy of the same topology")
+{
+  struct Case
+  {
+    Closed_mesh mesh;
+    int genus, loops;
+  };
+  for(const Case& large :
+      {Case{ellipsoid(5, 2), 0, 0}, Case{torus(90, 40), 1, 0}, Case{with_holes(torus(90, 40), 4, 3), 1, 4}}) {
+    const Triangle_surface surface = surface_of(large.mesh);
+    const auto simplified = decimate_surface(surface, 1200);
+    REQUIRE(simplified);
+    CHECK(simplified->genus() == large.genus);
+    CHECK(static_cast<int>(simplified->border_loops.size()) == large.loops);
+    CHECK(std::abs(simplified->number_of_faces() - 1200) < 100);
+    CHECK(simplified->area == Approx(surface.area).epsilon(0.05));
+
+    const Decision decision = decide(surface);
+    CHECK(decision.report.decision_faces < simplified->triangles.size());
+    CHECK(opened_surface(surface, decision.cut).is_disk());
+    // the cut of the surface is like the one decided on
+    double best = std::numeric_limits<double>::infinity(), length = 0;
+    for(const Cut_step& step : decision.report.history)
+      if(step.score < best) {
+        best = step.score;
+        length = step.length;
+      }
+    CHECK(decision.report.cut_length == Approx(length).epsilon(0.15));
+  }
+}
+
+TEST_CASE("seams that cut the surface to a disk are used as they are")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(2));
+  Cut cut(surface);
+  initial_cut(surface, 7, cut);
+  Seams seams;
+  for(int e : cut.edges())
+    seams.push_back({surface.edges[e][1], surface.edges[e][0]});
+  CHECK(decide(surface, {}, seams).cut.edges() == cut.edges());
+}
+
+TEST_CASE("seams that do not suffice are completed")
+{
+  const Triangle_surface sphere = surface_of(ellipsoid(2));
+  const Decision one_edge = decide(sphere, {}, {{sphere.edges[5]}});
+  CHECK(contains(sphere, one_edge.cut, sphere.edges[5]));
+  CHECK(one_edge.cut.edges().size() >= 2);
+  CHECK(opened_surface(sphere, one_edge.cut).is_disk());
+
+  // a meridian of a torus, and an edge elsewhere
+  const Triangle_surface surface = surface_of(torus(16, 9));
+  Seams seams{{8 * 9 + 3, 8 * 9 + 4}};
+  for(int j = 0; j < 9; ++j)
+    seams.push_back({j, (j + 1) % 9});
+  const Decision decision = decide(surface, {}, seams);
+  CHECK(opened_surface(surface, decision.cut).is_disk());
+  for(const auto& seam : seams)
+    CHECK(contains(surface, decision.cut, seam));
+}
+
+TEST_CASE("seams on a disk are cut, too")
+{
+  const Flat_mesh flat = rectangle(6, 6, 1, 1, 3);
+  const Triangle_surface surface = surface_of({flat.points, flat.triangles});
+  const Decision decision = decide(surface, {}, {{3 * 7 + 3, 3 * 7 + 4}});
+  CHECK(contains(surface, decision.cut, {3 * 7 + 3, 3 * 7 + 4}));
+  CHECK(opened_surface(surface, decision.cut).is_disk());
+}
+
+TEST_CASE("seams that make no sense are refused")
+{
+  const Triangle_surface surface = surface_of(tetrahedron());
+  CHECK_THAT(refusal(surface, {{0, 1}, {1, 2}, {2, 0}}), Contains("2 pieces"));
+  CHECK_THAT(refusal(surface_of(torus(9, 9)), {{0, 5}}), Contains("vertex 0 to vertex 5 is not an edge"));
+}
+
+TEST_CASE("what is no disk is refused when it is not to be cut")
+{
+  Cut_options options;
+  options.mode = Cut_mode::NONE;
+  CHECK_THROWS_AS(decide(surface_of(tetrahedron()), options), Unmappable);
+  CHECK(decide(surface_of(plane(4, 1)), options).cut.edges().empty());
+}
+
+TEST_CASE("a soup is cut with its vertices in order and copies at the end")
+{
+  const Closed_mesh mesh = ellipsoid(2);
+  Surface_soup soup{mesh.points, {}};
+  for(const auto& t : mesh.triangles)
+    soup.faces.emplace_back(t.begin(), t.end());
+  for(Eigen::Vector3d& p : soup.points)
+    p *= 1e200; // squares overflow
+  const std::vector<Eigen::Vector3d> before = soup.points;
+  Cut_report report;
+  const std::vector<int> originals = cut_soup(soup, {}, {}, report);
+  REQUIRE(soup.points.size() == originals.size());
+  CHECK(soup.points.size() == before.size() + report.seam_edges - 1); // a tree of seams on a sphere
+  for(std::size_t v = 0; v < originals.size(); ++v) {
+    CHECK(soup.points[v] == before[originals[v]]);
+    CHECK((v >= before.size() || originals[v] == static_cast<int>(v)));
+  }
+  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+    for(int k = 0; k < 3; ++k)
+      CHECK(originals[soup.faces[f][k]] == mesh.triangles[f][k]);
+  CHECK(report.cut_length < 10);
+}

@@ -92,8 +92,37 @@ TEST_CASE("the optimal parameterizer is a drop-in, and its map is lower than tha
   Balanced_minimization wrong;
   wrong.balance = 1.5;
   CHECK(parameterize(mesh, Stretch_optimal_parameterizer_3<Surface_mesh>(
-                               Hybrid_square_border_parameterizer_3<Surface_mesh>(), wrong))
+                               Bracketing_square_border_parameterizer_3<Surface_mesh>(), wrong))
             .status == SMP::ERROR_WRONG_PARAMETER);
+}
+
+TEMPLATE_TEST_CASE("the optimal parameterizer takes any convex border as it is", "",
+                   Square_border_arc_length_parameterizer_3<Surface_mesh>,
+                   Circular_border_arc_length_parameterizer_3<Surface_mesh>,
+                   SMP::Circular_border_arc_length_parameterizer_3<Surface_mesh>)
+{
+  Surface_mesh mesh = curved_mesh();
+  typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
+  auto border = mesh.add_property_map<vertex_descriptor, Point_2>("v:border").first;
+  const auto bhd = internal::first_border_halfedge(mesh);
+  REQUIRE(TestType().parameterize(mesh, bhd, border, CGAL::Constant_property_map<vertex_descriptor, int>(0),
+                                  CGAL::Constant_property_map<vertex_descriptor, bool>()) == SMP::OK);
+  typedef Stretch_optimal_parameterizer_3<Surface_mesh, TestType> Optimal;
+  Balanced_minimization fixed;
+  fixed.border = Border_motion::FIXED;
+  for(const Balanced_minimization& minimization : {fixed, Balanced_minimization()}) {
+    CHECK(is_one_to_one(parameterize(mesh, Optimal(TestType(), minimization)), mesh.number_of_faces()));
+    auto uvmap = mesh.add_property_map<vertex_descriptor, Point_2>("v:uv").first;
+    REQUIRE(SMP::parameterize(mesh, Optimal(TestType(), minimization), bhd, uvmap) == SMP::OK);
+    const bool is_square = std::is_same_v<TestType, Square_border_arc_length_parameterizer_3<Surface_mesh>>;
+    if(!is_square || minimization.border == Border_motion::FIXED)
+      for(auto v : CGAL::vertices_around_face(bhd, mesh))
+        CHECK(get(uvmap, v) == get(border, v));
+    auto iterated = mesh.add_property_map<vertex_descriptor, Point_2>("v:iterated").first;
+    REQUIRE(SMP::parameterize(mesh, Stretch_minimizing_parameterizer_3<Surface_mesh, TestType>(), bhd, iterated) ==
+            SMP::OK);
+    CHECK(measure_stretch(mesh, uvmap).symmetric_dirichlet < measure_stretch(mesh, iterated).symmetric_dirichlet);
+  }
 }
 
 TEST_CASE("a disk without interior vertices is mapped with every kind of weights")

@@ -42,19 +42,31 @@ struct Balanced_minimization
 
   unsigned int maximum_iterations = 1000; ///< largest number of steps on the mesh itself
 
+  /// how the coarsest mesh is mapped: a few iterations, which little of the result depends on
+  Stretch_minimization start = few_iterations();
+
   /// indicates whether all numbers are in their range
-  bool is_valid() const { return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0; }
+  bool is_valid() const
+  {
+    return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0 && start.is_valid();
+  }
 
   /// \cond SKIP_IN_MANUAL
   internal::Map_minimizer make_minimizer(const internal::Patch& patch) const
   {
-    Stretch_minimization start;
-    start.maximum_iterations = 5;
-    return {patch, [start](const internal::Patch& coarsest) { return start.make_iteration(coarsest); },
+    return {patch, [iteration = start](const internal::Patch& coarsest) { return iteration.make_iteration(coarsest); },
             internal::Balanced_options{balance, border == Border_motion::SLIDING, search_tolerance, tolerance,
                                        maximum_iterations}};
   }
   /// \endcond
+
+private:
+  static Stretch_minimization few_iterations()
+  {
+    Stretch_minimization iteration;
+    iteration.maximum_iterations = 5;
+    return iteration;
+  }
 };
 
 } // namespace CGAL_ext

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/internal/Cgal_linear_solver.h>
+#include <CGAL_ext/Square_parameterization/internal/parameterize_with.h>
 
 #include <CGAL/Default.h>
 
@@ -97,82 +98,15 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap)
   {
-    namespace SMP = CGAL::Surface_mesh_parameterization;
     if(!m_minimization.is_valid())
-      return SMP::ERROR_WRONG_PARAMETER;
-    if(!m_border.is_border_convex())
-      return SMP::ERROR_NON_CONVEX_BORDER;
-    try {
-      const Triangle_mesh& const_mesh = mesh;
-      const auto [patch, vertices] =
-          internal::make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
-      const internal::Map_minimizer minimizer = m_minimization.make_minimizer(patch, &make_solver);
-      if constexpr(searches_corners<Border_parameterizer>::value) {
-        const internal::Search_outcome outcome = m_border.search(patch, minimizer);
-        return deliver(outcome.map, vertices, uvmap, vpmap);
-      } else {
-        const Error_code status = m_border.parameterize(mesh, bhd, uvmap, vimap, vpmap);
-        if(status != SMP::OK)
-          return status;
-        const std::vector<vertex_descriptor> border = internal::select(vertices, patch.border);
-        return deliver(map_for_border(patch, *minimizer.iteration(), internal::read_uv(border, uvmap)), vertices, uvmap,
-                       vpmap);
-      }
-    } catch(const internal::Unmappable& error) {
-      return error.code();
-    }
+      return CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER;
+    const auto make_minimizer = [this](const internal::Patch& patch) {
+      return m_minimization.make_minimizer(patch, &make_solver);
+    };
+    return internal::parameterize_with(make_minimizer, m_border, m_visitor, mesh, bhd, uvmap, vimap, vpmap);
   }
 
 private:
-  template <class Border, class = void>
-  struct searches_corners : std::false_type
-  {
-  };
-
-  template <class Border>
-  struct searches_corners<Border,
-                          std::void_t<decltype(std::declval<const Border&>().search(
-                              std::declval<const internal::Patch&>(), std::declval<const internal::Map_minimizer&>()))>>
-    : std::true_type
-  {
-  };
-
-  /// maps the interior for a given border; for a clockwise border through its mirror image
-  static internal::Minimized_map map_for_border(const internal::Patch& patch,
-                                                const internal::Stretch_iteration& iteration,
-                                                internal::Uv_coordinates border_uv)
-  {
-    double twice_area = 0;
-    for(Eigen::Index k = 0; k < border_uv.rows(); ++k) {
-      const auto p = border_uv.row(k), q = border_uv.row((k + 1) % border_uv.rows());
-      twice_area += p.x() * q.y() - p.y() * q.x();
-    }
-    const bool is_mirrored = twice_area < 0;
-    if(is_mirrored)
-      border_uv.col(0).swap(border_uv.col(1));
-    internal::Stretch_iteration::Workspace workspace;
-    internal::Minimized_map map = iteration.minimize(border_uv, std::abs(twice_area) / 2, workspace);
-    if(map.uv.rows() > 0 && internal::number_of_flipped_faces(patch.triangles, map.uv) > 0)
-      map.uv.resize(0, 2);
-    if(is_mirrored && map.uv.rows() > 0)
-      map.uv.col(0).swap(map.uv.col(1));
-    return map;
-  }
-
-  template <class VertexUVmap, class VertexParameterizedMap>
-  Error_code deliver(const internal::Minimized_map& map, const std::vector<vertex_descriptor>& vertices,
-                     VertexUVmap uvmap, VertexParameterizedMap vpmap) const
-  {
-    namespace SMP = CGAL::Surface_mesh_parameterization;
-    if(m_visitor != nullptr)
-      m_visitor->end_minimization(map.report);
-    if(map.uv.rows() == 0)
-      return map.report.stop_reason == Stop_reason::CANNOT_SOLVE ? SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM
-                                                                 : SMP::ERROR_NO_1_TO_1_MAPPING;
-    internal::write_uv(vertices, map.uv, uvmap, vpmap);
-    return SMP::OK;
-  }
-
   static std::unique_ptr<internal::Linear_solver> make_solver(bool is_symmetric)
   {
     if constexpr(std::is_same_v<SolverTraits_, CGAL::Default>)

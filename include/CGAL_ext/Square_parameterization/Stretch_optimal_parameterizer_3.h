@@ -5,7 +5,8 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_OPTIMAL_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
-#include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/Bracketing_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/internal/parameterize_with.h>
 
 #include <CGAL/Default.h>
 
@@ -15,28 +16,29 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationParameterizers
 ///
-/// computes a one-to-one map of a disk onto the unit square that minimises the balanced energy of
+/// computes a one-to-one map of a disk onto a convex planar domain that minimises the balanced energy of
 /// `Balanced_minimization`: L2 stretch with a little of its inverse, which keeps the map from tearing open. The border
-/// stays or slides along the sides.
+/// stays, or slides along the sides of the unit square.
 ///
 /// The minimization starts from a map without flips and never leaves the maps without flips; the result is checked by
 /// exact predicates: `OK` means one-to-one. It is a local minimum.
 ///
-/// The border parameterizer must be one of this package, with its border on the unit square. When it searches the
-/// corners, each candidate is mapped by this parameterizer, the search minimises the balanced energy, and the best map
-/// found is the result.
+/// With a border parameterizer of this package that searches the corners, each candidate is mapped by this
+/// parameterizer, the search minimises the balanced energy, and the best map found is the result. Any other border
+/// parameterizer is taken as it is; when it mirrors the border, as CGAL's square borders do, the map is mirrored. A
+/// border that is not the unit square does not slide.
 ///
-/// `parameterize()` returns what `Stretch_minimizing_parameterizer_3` returns; `ERROR_WRONG_PARAMETER` also for a balance
-/// out of range.
+/// `parameterize()` returns what `Stretch_minimizing_parameterizer_3` returns; `ERROR_WRONG_PARAMETER` when the balance
+/// or a tolerance is out of range.
 ///
-/// Complexity: per Newton step a sparse Cholesky factorization with two unknowns per vertex, about
-/// \f$ V^{1.5} \f$ operations; the symbolic analysis is done once per thread.
+/// Complexity: about linear but for two sparse Cholesky factorizations per eight steps, about \f$ V^{1.5} \f$ operations
+/// each; the sequence of coarser meshes and the symbolic analysis are made once.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.
-/// \tparam BorderParameterizer_ must be a border parameterizer of this package that searches the corners.
-///         <b>%Default:</b> `Hybrid_square_border_parameterizer_3<TriangleMesh_>`
+/// \tparam BorderParameterizer_ must be a model of `Parameterizer_3` with a convex border.
+///         <b>%Default:</b> `Bracketing_square_border_parameterizer_3<TriangleMesh_>`
 ///
 /// \sa `CGAL_ext::parameterize_onto_square()`
 template <class TriangleMesh_, class BorderParameterizer_ = CGAL::Default>
@@ -45,14 +47,15 @@ class Stretch_optimal_parameterizer_3
 public:
   typedef TriangleMesh_ Triangle_mesh;
   typedef TriangleMesh_ TriangleMesh;
-  typedef typename CGAL::Default::Get<BorderParameterizer_, Hybrid_square_border_parameterizer_3<TriangleMesh_>>::type
-      Border_parameterizer;
+  typedef
+      typename CGAL::Default::Get<BorderParameterizer_, Bracketing_square_border_parameterizer_3<TriangleMesh_>>::type
+          Border_parameterizer;
   typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
   typedef CGAL::Surface_mesh_parameterization::Error_code Error_code;
 
   /// constructs the parameterizer.
-  /// \param border searches the corners
+  /// \param border maps the border
   /// \param minimization the balance, whether the border slides, and when to stop
   /// \param visitor is told how the minimization of the delivered map went; may be null
   explicit Stretch_optimal_parameterizer_3(Border_parameterizer border = Border_parameterizer(),
@@ -63,26 +66,13 @@ public:
   /// maps the connected component of \p mesh at the border halfedge \p bhd; see
   /// `Stretch_minimizing_parameterizer_3::parameterize()`.
   template <class VertexUVmap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap /* vimap */,
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap)
   {
-    namespace SMP = CGAL::Surface_mesh_parameterization;
     if(!m_minimization.is_valid())
-      return SMP::ERROR_WRONG_PARAMETER;
-    try {
-      const Triangle_mesh& const_mesh = mesh;
-      const auto [patch, vertices] =
-          internal::make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
-      const internal::Minimized_map map = m_border.search(patch, m_minimization.make_minimizer(patch)).map;
-      if(m_visitor != nullptr)
-        m_visitor->end_minimization(map.report);
-      if(map.uv.rows() == 0)
-        return SMP::ERROR_NO_1_TO_1_MAPPING;
-      internal::write_uv(vertices, map.uv, uvmap, vpmap);
-      return SMP::OK;
-    } catch(const internal::Unmappable& error) {
-      return error.code();
-    }
+      return CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER;
+    const auto make_minimizer = [this](const internal::Patch& patch) { return m_minimization.make_minimizer(patch); };
+    return internal::parameterize_with(make_minimizer, m_border, m_visitor, mesh, bhd, uvmap, vimap, vpmap);
   }
 
 private:

@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_PARAMETERIZE_ONTO_SQUARE_H
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
-#include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/error_message.h>
 #include <CGAL_ext/Square_parameterization/internal/Face_graph_patch.h>
@@ -31,10 +31,10 @@ namespace CGAL_ext {
 struct Square_map_options
 {
   /// chooses the corners: any model of `CornerSearch`
-  Corner_search search = Hybrid_corner_search();
-  /// when given, each candidate is mapped by the minimizer of the balanced energy, not by the iteration
-  std::optional<Balanced_minimization> balanced;
-  Stretch_minimization minimization;    ///< how each candidate is mapped
+  Corner_search search = Bracketing_corner_search();
+  /// how each candidate is mapped: by the minimizer of the balanced energy, or, when this is empty, by the iteration
+  std::optional<Balanced_minimization> balanced = Balanced_minimization();
+  Stretch_minimization minimization;    ///< the iteration; `Hybrid_corner_search` suits it
   Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
   Chords chords = Chords::ALL;          ///< which chords are split
 
@@ -92,7 +92,9 @@ void check_input(const TriangleMesh& mesh, const Square_map_options& options)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(options.balanced && !options.balanced->is_valid())
-    throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the balance is not in [0, 1], or the tolerance is negative");
+    throw Unmappable(
+        SMP::ERROR_WRONG_PARAMETER,
+        "the balance is not in [0, 1], a tolerance is negative, or the weights or eta of the start are wrong");
   if(!options.minimization.is_valid())
     throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
   const std::size_t number_of_faces = std::distance(faces(mesh).begin(), faces(mesh).end());

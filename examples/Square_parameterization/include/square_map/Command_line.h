@@ -42,7 +42,7 @@ struct Command_line
   bool wants_help = false;
   std::string help;
   std::string input, output, json, seams;
-  std::string strategy = "hybrid", minimizer = "iterative";
+  std::string strategy, minimizer = "optimal";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
   bool is_quiet = false;
   CGAL_ext::Square_map_options options;
@@ -157,10 +157,10 @@ inline Command_line parse_command_line(int argc, char** argv)
   add("help,h", "show this text");
   add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),
-      "how corners are searched: hybrid (default), brute-force, quarter-brute-force, particle-swarm, step-sampling, "
-      "single-highest, many-high, better-of-two, bracketing, none");
+      "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
+      "quarter-brute-force, particle-swarm, step-sampling, single-highest, many-high, better-of-two, none");
   add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
-      "iterative (default): Yoshizawa et al.; optimal: least balanced energy");
+      "optimal (default): least balanced energy; iterative: Yoshizawa et al.");
   add("balance", po::value(&balance)->value_name("X"),
       "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
   add("border", po::value(&border)->value_name("NAME"),
@@ -174,7 +174,8 @@ inline Command_line parse_command_line(int argc, char** argv)
   add("seams", po::value(&line.seams)->value_name("FILE"),
       "edges to cut along, two vertex numbers a line, counted from 0; what they lack is added");
   add("weights", po::value(&weights_name)->value_name("NAME"),
-      "blended (default), shape-preserving, shape-preserving-plain, mean-value, symmetric-mean-value, uniform, "
+      "of the iteration, which is the start of optimal: blended (default), shape-preserving, shape-preserving-plain, "
+      "mean-value, symmetric-mean-value, uniform, "
       "clamped-cotangent, harmonic");
   add("corner-rule", po::value(&rule)->value_name("NAME"), "where sides end: nearest (default), author");
   add("walk", po::value(&walk)->value_name("NAME"),
@@ -230,10 +231,14 @@ inline Command_line parse_command_line(int argc, char** argv)
   if(is_given("preset")) {
     named<bool>({{"paper", true}}, "preset", preset);
     apply_paper_preset(options);
+    if(!is_given("minimizer"))
+      line.minimizer = "iterative";
   }
   using CGAL_ext::Border_motion;
-  if(named<bool>({{"iterative", false}, {"optimal", true}}, "minimizer", line.minimizer))
-    options.balanced = CGAL_ext::Balanced_minimization();
+  if(!named<bool>({{"iterative", false}, {"optimal", true}}, "minimizer", line.minimizer))
+    options.balanced.reset();
+  if(!is_given("strategy"))
+    line.strategy = options.balanced ? "bracketing" : "hybrid";
   if(is_given("balance")) {
     if(!options.balanced)
       throw Usage_error("--balance goes with --minimizer optimal");
@@ -276,6 +281,11 @@ inline Command_line parse_command_line(int argc, char** argv)
   }
   if(is_given("patience"))
     options.minimization.patience = patience;
+  if(options.balanced) { // the number of iterations of its start is its own
+    options.balanced->start.weights = options.minimization.weights;
+    options.balanced->start.eta = options.minimization.eta;
+    options.balanced->start.patience = options.minimization.patience;
+  }
   options.search_options.number_of_threads = threads;
   if(is_given("corners")) {
     line.corners = parse_corners(corners);

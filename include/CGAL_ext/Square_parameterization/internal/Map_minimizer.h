@@ -82,6 +82,33 @@ public:
     return finished.uv.rows() > 0 ? finished : map;
   }
 
+  /// maps for one border (#B by 2) that is any convex polygon, also a clockwise one: then through its mirror image
+  Minimized_map map_border(Uv_coordinates border_uv) const
+  {
+    double area = 0;
+    for(Eigen::Index k = 0; k < border_uv.rows(); ++k) {
+      const auto p = border_uv.row(k), q = border_uv.row((k + 1) % border_uv.rows());
+      area += (p.x() * q.y() - p.y() * q.x()) / 2;
+    }
+    const bool is_mirrored = area < 0;
+    if(is_mirrored)
+      border_uv.col(0).swap(border_uv.col(1));
+    // what is minimised supposes the area 1; a unit square is left as it is
+    const double scale = std::abs(std::abs(area) - 1) < 1e-12 ? 1 : 1 / std::sqrt(std::abs(area));
+    Minimized_map map = finish(make_worker()(scale * border_uv));
+    if(map.uv.rows() == 0)
+      return map;
+    if(scale != 1) {
+      map.uv /= scale;
+      for(std::size_t k = 0; k < m_patch.border.size(); ++k)
+        map.uv.row(m_patch.border[k]) = border_uv.row(k); // as given, without the rounding of the scaling
+      map = if_one_to_one(std::move(map));
+    }
+    if(is_mirrored && map.uv.rows() > 0)
+      map.uv.col(0).swap(map.uv.col(1));
+    return map;
+  }
+
   /// the iteration for borders that are not on the square
   std::shared_ptr<const Stretch_iteration> iteration() const
   {

@@ -12,14 +12,23 @@ namespace internal {
 /// which coordinates of the vertices may move: #V by 2
 typedef Eigen::Matrix<bool, Eigen::Dynamic, 2, Eigen::RowMajor> Free_coordinates;
 
-/// the interior moves; the border stays, or slides along the sides of the unit square with its corners fixed
+/// indicates whether every border vertex lies on a side of the unit square
+inline bool is_border_on_unit_square(const Patch& patch, const Uv_coordinates& uv)
+{
+  return std::all_of(patch.border.begin(), patch.border.end(),
+                     [&uv](int v) { return uv(v, 0) == 0 || uv(v, 0) == 1 || uv(v, 1) == 0 || uv(v, 1) == 1; });
+}
+
+/// the interior moves; the border stays, or slides along the sides of the unit square with its corners fixed. A border
+/// elsewhere stays.
 inline Free_coordinates free_coordinates(const Patch& patch, const Uv_coordinates& uv, bool is_border_sliding)
 {
   Free_coordinates is_free = Free_coordinates::Constant(uv.rows(), 2, true);
+  const bool may_slide = is_border_sliding && is_border_on_unit_square(patch, uv);
   for(int v : patch.border)
     for(int axis = 0; axis < 2; ++axis) {
       const double across = uv(v, 1 - axis), along = uv(v, axis);
-      is_free(v, axis) = is_border_sliding && (across == 0 || across == 1) && along > 0 && along < 1;
+      is_free(v, axis) = may_slide && (across == 0 || across == 1) && along > 0 && along < 1;
     }
   return is_free;
 }

@@ -9,7 +9,7 @@
 //
 //   fixed_border_methods build/data/meshes/lion-head.off build/data/meshes/nefertiti.off --repetitions 5 --csv times.csv
 
-#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Quarter_brute_force_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Square_border_arc_length_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Stretch_minimizing_parameterizer_3.h>
@@ -126,30 +126,30 @@ Answer map_by_quarter_brute_force(Mesh& mesh, Halfedge border, UV_map uv)
   return answer(status, count.evaluations);
 }
 
-Answer map_by_one_call(Mesh& mesh, Halfedge, UV_map uv)
-{
-  const auto result = CGAL_ext::parameterize_onto_square(mesh, uv);
-  return {result.message, result.search.evaluations};
-}
-
-/// one call, least balanced energy with a sliding border
-Answer map_by_balanced_minimizer(Mesh& mesh, UV_map uv, const CGAL_ext::Corner_search& search)
+/// one call with the iteration and the search that suits it
+Answer map_by_hybrid_search(Mesh& mesh, Halfedge, UV_map uv)
 {
   CGAL_ext::Square_map_options options;
-  options.search = search;
-  options.balanced = CGAL_ext::Balanced_minimization();
+  options.search = CGAL_ext::Hybrid_corner_search();
+  options.balanced.reset();
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
   return {result.message, result.search.evaluations};
 }
 
-Answer map_one_candidate_balanced(Mesh& mesh, Halfedge, UV_map uv)
+/// the least balanced energy for one candidate
+Answer map_one_candidate_optimally(Mesh& mesh, Halfedge, UV_map uv)
 {
-  return map_by_balanced_minimizer(mesh, uv, CGAL_ext::First_candidate_corner_search());
+  CGAL_ext::Square_map_options options;
+  options.search = CGAL_ext::First_candidate_corner_search();
+  const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
+  return {result.message, result.search.evaluations};
 }
 
-Answer map_best_candidate_balanced(Mesh& mesh, Halfedge, UV_map uv)
+/// one call, everything by default
+Answer map_by_default(Mesh& mesh, Halfedge, UV_map uv)
 {
-  return map_by_balanced_minimizer(mesh, uv, CGAL_ext::Bracketing_corner_search());
+  const auto result = CGAL_ext::parameterize_onto_square(mesh, uv);
+  return {result.message, result.search.evaluations};
 }
 
 const std::vector<Method> methods{
@@ -158,11 +158,11 @@ const std::vector<Method> methods{
     {"CGAL discrete authalic", map_by<SMP::Discrete_authalic_parameterizer_3<Mesh, CGAL_border>>},
     {"CGAL mean value", map_by<SMP::Mean_value_coordinates_parameterizer_3<Mesh, CGAL_border>>},
     {"CGAL iterative authalic", map_by_iterative_authalic},
-    {"ours (one candidate)", map_by<One_candidate>},
-    {"ours (quarter brute force)", map_by_quarter_brute_force},
-    {"ours (one call)", map_by_one_call},
-    {"balanced (one candidate)", map_one_candidate_balanced},
-    {"balanced (bracketing)", map_best_candidate_balanced}};
+    {"iteration, one candidate", map_by<One_candidate>},
+    {"iteration, quarter brute f.", map_by_quarter_brute_force},
+    {"iteration, hybrid", map_by_hybrid_search},
+    {"optimal, one candidate", map_one_candidate_optimally},
+    {"optimal, default search", map_by_default}};
 
 constexpr std::size_t REFERENCE = 4; // the method against which seconds are compared
 
@@ -207,7 +207,7 @@ void print(const std::string& name, const std::vector<Result>& results, std::ost
   for(std::size_t i = 0; i < results.size(); ++i) {
     const auto& [answer, seconds, measures] = results[i];
     const double speed = results[REFERENCE].seconds / seconds;
-    std::cout << "  " << std::left << std::setw(26) << methods[i].name << std::right << std::fixed << std::setw(5)
+    std::cout << "  " << std::left << std::setw(28) << methods[i].name << std::right << std::fixed << std::setw(5)
               << answer.evaluations << std::setw(11) << std::setprecision(4) << seconds << std::setw(10)
               << std::setprecision(2) << speed;
     if(answer.error.empty())
@@ -261,7 +261,7 @@ int main(int argc, char** argv)
     if(given.count("split-chords") != 0)
       CGAL_ext::split_chords(mesh);
     const std::string name = std::filesystem::path(file).stem().string();
-    std::cout << std::left << std::setw(28) << name + ", " + std::to_string(mesh.number_of_faces()) + " faces"
+    std::cout << std::left << std::setw(30) << name + ", " + std::to_string(mesh.number_of_faces()) + " faces"
               << " maps    seconds     speed        L2      Linf  sym.Dir.  flipped" << std::endl;
     std::vector<Result> results;
     for(const Method& method : methods)

@@ -25,7 +25,7 @@ Balanced_options options(double balance, bool is_border_sliding)
 Minimized_map minimized(const Patch& patch, Uv_coordinates start, const Balanced_options& options, double tolerance)
 {
   Balanced_minimizer::Workspace workspace;
-  return Balanced_minimizer(patch, options).minimize({std::move(start), {}}, tolerance, workspace);
+  return Balanced_minimizer(patch, options).minimize({std::move(start), {}, {}}, tolerance, workspace);
 }
 
 Uv_coordinates random_coordinates(Eigen::Index rows, unsigned int seed)
@@ -167,9 +167,9 @@ TEST_CASE("a map stopped after any number of steps has no flips, and continued i
   }
   Balanced_minimizer::Workspace workspace;
   const Balanced_minimizer minimizer(patch, options(0.3, true));
-  const Minimized_map rough = minimizer.minimize({some_map(patch), {}}, 1e-2, workspace);
+  const Minimized_map rough = minimizer.minimize({some_map(patch), {}, {}}, 1e-2, workspace);
   const Minimized_map continued = minimizer.minimize(rough, 1e-10, workspace);
-  const Minimized_map at_once = minimizer.minimize({some_map(patch), {}}, 1e-10, workspace);
+  const Minimized_map at_once = minimizer.minimize({some_map(patch), {}, {}}, 1e-10, workspace);
   CHECK(rough.report.objective > continued.report.objective);
   CHECK(continued.report.objective == Approx(at_once.report.objective).epsilon(1e-8));
   CHECK(continued.report.iterations >= rough.report.iterations);

@@ -74,9 +74,9 @@ TEST_CASE("a candidate is mapped once and counted once")
   const Stretch_curve curve = random_curve(40, 41);
   std::vector<std::atomic<int>> calls(curve.size());
   const auto make_worker = [&]() -> Candidate_evaluation::Worker {
-    return [&, worker = worker_of(curve)](int candidate) {
+    return [&, worker = worker_of(curve)](int candidate, const internal::Uv_coordinates* warm_start) {
       ++calls[candidate];
-      return worker(candidate);
+      return worker(candidate, warm_start);
     };
   };
   Candidate_evaluation evaluation(40, make_worker, 8, nullptr, {});
@@ -207,7 +207,8 @@ TEST_CASE("each thread has a worker of its own, used by one thread at a time")
 {
   std::atomic<bool> is_shared{false};
   const auto make_worker = [&is_shared]() -> Candidate_evaluation::Worker {
-    return [&is_shared, is_busy = std::make_shared<std::atomic<bool>>(false)](int candidate) {
+    return [&is_shared, is_busy = std::make_shared<std::atomic<bool>>(false)](int candidate,
+                                                                              const internal::Uv_coordinates*) {
       if(is_busy->exchange(true))
         is_shared = true;
       std::this_thread::yield();
@@ -220,4 +221,36 @@ TEST_CASE("each thread has a worker of its own, used by one thread at a time")
   Candidate_evaluation evaluation(300, make_worker, 8, nullptr, {});
   evaluation(all_of(Stretch_curve(300)));
   CHECK_FALSE(is_shared);
+}
+
+TEST_CASE("a map starts from that of the nearest candidate of an earlier call, whatever the number of threads")
+{
+  for(unsigned int threads : {1u, 8u}) {
+    std::vector<double> started_from(20, -2);
+    const auto make_worker = [&started_from]() -> Candidate_evaluation::Worker {
+      return [&started_from](int candidate, const internal::Uv_coordinates* warm_start) {
+        started_from[candidate] = warm_start == nullptr ? -1 : (*warm_start)(0, 0);
+        internal::Minimized_map map;
+        map.report.objective = candidate;
+        if(candidate != 4) // has no warm start to offer
+          map.warm_start = internal::Uv_coordinates::Constant(1, 2, candidate);
+        return map;
+      };
+    };
+    Candidate_evaluation evaluation(20, make_worker, threads, nullptr, {});
+    evaluation({10}); // keeps none
+    evaluation({0, 4, 8}, true);
+    evaluation({1, 5, 6, 19, 14}, true);
+    evaluation({7});
+    evaluation({13}, true);
+    CHECK(started_from[0] == -1);
+    CHECK(started_from[8] == -1);
+    CHECK(started_from[1] == 0);
+    CHECK(started_from[5] == 8);
+    CHECK(started_from[6] == 8);
+    CHECK(started_from[19] == 0); // the candidates are a ring
+    CHECK(started_from[14] == 0); // as near as 8: the lower
+    CHECK(started_from[7] == -1);
+    CHECK(started_from[13] == 14);
+  }
 }

@@ -112,7 +112,7 @@ TEST_CASE("coarse to fine ends where the minimizer alone ends")
       Balanced_minimizer::Workspace alone_workspace;
       Uv_coordinates start = start_of(patch).minimize(border_of(patch, 2), 1, iteration_workspace).uv;
       const Minimized_map alone =
-          Balanced_minimizer(patch, options).minimize({std::move(start), {}}, 1e-9, alone_workspace);
+          Balanced_minimizer(patch, options).minimize({std::move(start), {}, {}}, 1e-9, alone_workspace);
       CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
       CHECK(map.report.objective == Approx(alone.report.objective).epsilon(1e-6));
       CHECK(map.report.objective == Approx(energy_by_definition(patch, map.uv, 0.3)).epsilon(1e-9));
@@ -126,6 +126,35 @@ TEST_CASE("a workspace may be used for one border after the other, and the resul
   Multilevel_minimizer::Workspace used, fresh;
   minimizer.minimize(border_of(patch, 7), used);
   CHECK(minimizer.minimize(border_of(patch, 3), used).uv == minimizer.minimize(border_of(patch, 3), fresh).uv);
+}
+
+TEST_CASE("a map carried over to its own border is itself, and to another border has no flips")
+{
+  for(const Patch& patch : patches()) {
+    const Uv_coordinates uv = some_map(patch);
+    CHECK((transport_map(patch, uv, border_of(patch, 1)) - uv).cwiseAbs().maxCoeff() < 1e-10);
+    const Uv_coordinates other = transport_map(patch, uv, border_of(patch, 3));
+    REQUIRE(other.rows() == uv.rows());
+    CHECK(number_of_flipped_faces(patch.triangles, other) == 0);
+    for(std::size_t k = 0; k < patch.border.size(); ++k)
+      CHECK(other.row(patch.border[k]) == border_of(patch, 3).row(k));
+  }
+}
+
+TEST_CASE("a warm start leads to the same minimum")
+{
+  const Patch patch = make_patch_of(saddle(40));
+  Balanced_options options;
+  options.search_tolerance = 1e-9;
+  const Multilevel_minimizer minimizer(patch, start_of, options);
+  Multilevel_minimizer::Workspace workspace;
+  const Minimized_map neighbor = minimizer.minimize(border_of(patch, 4), workspace);
+  REQUIRE(neighbor.warm_start.rows() > 0);
+  CHECK(neighbor.warm_start.rows() <= 1000);
+  const Minimized_map cold = minimizer.minimize(border_of(patch, 6), workspace);
+  const Minimized_map warm = minimizer.minimize(border_of(patch, 6), workspace, &neighbor.warm_start);
+  CHECK(warm.report.objective == Approx(cold.report.objective).epsilon(1e-6));
+  CHECK(number_of_flipped_faces(patch.triangles, warm.uv) == 0);
 }
 
 TEST_CASE("coarse to fine has no flips at any balance, however early it is stopped")

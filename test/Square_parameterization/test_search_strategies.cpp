@@ -188,7 +188,7 @@ TEST_CASE("bracketing finds the bottom of smooth valleys within its bound, and o
         two.push_back(1.5 - 0.3 * std::cos(2 * angle) -
                       0.1 * std::cos(angle)); // the other valley is half round the ring
       }
-      const int bound = (std::max)(12, 2 * static_cast<int>(std::ceil(std::log2(double(n)))) + 4);
+      const int bound = (std::max)(12, static_cast<int>(2 * std::log2(double(n))) + 4);
       for(const Stretch_curve& curve : {one, two}) {
         if(curve == two && n < 16)
           continue; // a valley of four candidates is narrower than two samples

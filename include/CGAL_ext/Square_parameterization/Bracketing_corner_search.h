@@ -15,9 +15,9 @@ namespace CGAL_ext {
 /// samples the ring of candidates of the quarter evenly, and then closes in on the best: each sample that is not higher
 /// than its neighbors brackets a valley; the valley with the lowest bottom, by the parabola through its three samples,
 /// is sampled again, until no valley promises less than the best candidate known. On a curve with several valleys the
-/// largest gaps are sampled, too.
+/// largest gaps are sampled, too. Maps start from those of their neighbors.
 ///
-/// At most \f$ \max(12, 2 \lceil\log_2 m\rceil + 4) \f$ evaluations of \f$ m \f$ candidates. Deterministic; finds the
+/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates. Deterministic; finds the
 /// optimum of curves that are smooth on the scale of the samples, as the balanced energy is on most meshes.
 /// \cgalModels `CornerSearch`
 class Bracketing_corner_search
@@ -31,8 +31,9 @@ public:
   void operator()(const Corner_search_problem& problem) const
   {
     internal::Candidate_ring ring(problem);
+    ring.start_from_neighbors();
     const int n = ring.size();
-    const std::size_t budget = (std::max)(12, 2 * static_cast<int>(std::ceil(std::log2(double(n)))) + 4);
+    const std::size_t budget = (std::max)(12, static_cast<int>(2 * std::log2(double(n))) + 4);
     std::set<int> known;
     const auto evaluate = [&](const std::set<int>& batch) {
       ring.evaluate({batch.begin(), batch.end()});

@@ -21,6 +21,11 @@ struct Corner_search_problem
   /// without a one-to-one map. A candidate asked for twice is mapped once.
   std::function<std::vector<double>(const std::vector<int>&)> stretch_of;
 
+  /// as `stretch_of`, but each map starts from that of the nearest candidate evaluated by an earlier call, where the
+  /// minimizer can: neighbors then end in the same local minimum. The stretch of a candidate may depend, a little, on the
+  /// calls before; not on the number of threads. May be empty.
+  std::function<std::vector<double>(const std::vector<int>&)> stretch_from_neighbors;
+
   int number_of_vertices = 1; ///< of the mesh that is mapped
   int number_of_faces = 1;    ///< of the mesh that is mapped
 

@@ -21,7 +21,7 @@ const double INFEASIBLE = std::numeric_limits<double>::infinity();
 /// a worker for `Candidate_evaluation` that reads the stretch from the curve; the map it makes has the candidate as its uv
 inline CGAL_ext::internal::Candidate_evaluation::Worker worker_of(const Stretch_curve& curve)
 {
-  return [&curve](int candidate) {
+  return [&curve](int candidate, const CGAL_ext::internal::Uv_coordinates*) {
     CGAL_ext::internal::Minimized_map map;
     map.report.l2 = map.report.objective = curve[candidate];
     if(curve[candidate] < INFEASIBLE)

@@ -39,8 +39,8 @@ struct Search_cancelled
 class Candidate_evaluation
 {
 public:
-  /// maps one candidate; called by one thread at a time
-  using Worker = std::function<Minimized_map(int candidate)>;
+  /// maps one candidate, from the warm start of a neighbor if that is not null; called by one thread at a time
+  using Worker = std::function<Minimized_map(int candidate, const Uv_coordinates* warm_start)>;
 
   /// \param make_worker makes the worker of a thread
   /// \param number_of_threads 0 for all cores
@@ -60,19 +60,24 @@ public:
 
   /// the stretch of \p candidates, in their order. Throws `Search_cancelled` as soon as the candidates that are under
   /// way are finished when the callback or the visitor asks to stop.
-  std::vector<double> operator()(const std::vector<int>& candidates)
+  /// \param start_from_neighbors maps start from the nearest candidate of an earlier call (ties: the lower index) of
+  ///        which the warm start was kept, as those of these calls are
+  std::vector<double> operator()(const std::vector<int>& candidates, bool start_from_neighbors = false)
   {
     std::vector<int> missing;
+    std::vector<const Uv_coordinates*> warm_starts;
     for(int candidate : candidates)
-      if(m_samples.emplace(candidate, Search_report::Sample{candidate, INFEASIBLE, INFEASIBLE}).second)
+      if(m_samples.emplace(candidate, Search_report::Sample{candidate, INFEASIBLE, INFEASIBLE}).second) {
         missing.push_back(candidate);
+        warm_starts.push_back(start_from_neighbors ? nearest_warm_start(candidate) : nullptr);
+      }
     std::vector<char> is_done(missing.size(), false);
     m_arena.execute([&] {
       tbb::parallel_for(
           tbb::blocked_range<std::size_t>(0, missing.size(), 1),
           [&](const auto& range) {
             for(std::size_t i = range.begin(); i != range.end() && may_continue(); ++i) {
-              evaluate(missing[i]);
+              evaluate(missing[i], warm_starts[i], start_from_neighbors);
               is_done[i] = true;
             }
           },
@@ -132,11 +137,29 @@ private:
     return !m_is_cancelled;
   }
 
-  void evaluate(int candidate)
+  /// that of the nearest candidate on the ring; null when there is none
+  const Uv_coordinates* nearest_warm_start(int candidate) const
   {
-    Minimized_map map = m_workers.local()(candidate);
+    const Uv_coordinates* nearest = nullptr;
+    int least_distance = m_number_of_candidates;
+    for(const auto& [other, warm_start] : m_warm_starts) {
+      const int difference = std::abs(candidate - other);
+      const int distance = (std::min)(difference, m_number_of_candidates - difference);
+      if(distance < least_distance) {
+        least_distance = distance;
+        nearest = &warm_start;
+      }
+    }
+    return nearest;
+  }
+
+  void evaluate(int candidate, const Uv_coordinates* warm_start, bool keeps_warm_start)
+  {
+    Minimized_map map = m_workers.local()(candidate, warm_start);
     const double stretch = map.report.objective;
     const std::lock_guard<std::mutex> lock(m_mutex);
+    if(keeps_warm_start && map.warm_start.rows() > 0)
+      m_warm_starts[candidate] = map.warm_start;
     const Search_report::Sample sample{candidate, stretch, map.report.l2};
     m_samples.at(candidate) = sample;
     ++m_finished;
@@ -158,6 +181,7 @@ private:
 
   std::mutex m_mutex; // guards what follows while threads run
   std::map<int, Search_report::Sample> m_samples;
+  std::map<int, Uv_coordinates> m_warm_starts; // by candidate
   std::size_t m_finished = 0;
   int m_best_candidate = -1;
   Minimized_map m_best_map;

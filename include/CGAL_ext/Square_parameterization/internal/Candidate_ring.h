@@ -19,7 +19,15 @@ namespace internal {
 class Candidate_ring
 {
 public:
-  explicit Candidate_ring(const Corner_search_problem& problem) : m_problem(problem) {}
+  explicit Candidate_ring(const Corner_search_problem& problem) : m_problem(problem), m_stretch_of(problem.stretch_of)
+  {}
+
+  /// from now on maps start from their neighbors where that is possible
+  void start_from_neighbors()
+  {
+    if(m_problem.stretch_from_neighbors)
+      m_stretch_of = m_problem.stretch_from_neighbors;
+  }
 
   int size() const { return m_problem.number_of_candidates; }
 
@@ -33,7 +41,7 @@ public:
   /// evaluates a batch of candidates together
   void evaluate(const std::vector<int>& candidates)
   {
-    const std::vector<double> stretch = m_problem.stretch_of(candidates);
+    const std::vector<double> stretch = m_stretch_of(candidates);
     for(std::size_t i = 0; i < candidates.size(); ++i) {
       m_stretch[candidates[i]] = stretch[i];
       if(m_best < 0 || stretch[i] < m_stretch[m_best] || (stretch[i] == m_stretch[m_best] && candidates[i] < m_best))
@@ -60,6 +68,7 @@ public:
 
 private:
   const Corner_search_problem& m_problem;
+  std::function<std::vector<double>(const std::vector<int>&)> m_stretch_of;
   std::map<int, double> m_stretch;
   int m_best = -1;
 };

@@ -39,8 +39,9 @@ class Map_minimizer
 {
 public:
   /// maps for one border (#B by 2). The result has no uv, and an infinite objective, unless the map is one-to-one by
-  /// exact arithmetic.
-  typedef std::function<Minimized_map(const Uv_coordinates& border_uv)> Worker;
+  /// exact arithmetic. The minimizer of the balanced energy may start from the warm start of a map for a similar border;
+  /// null for none.
+  typedef std::function<Minimized_map(const Uv_coordinates& border_uv, const Uv_coordinates* warm_start)> Worker;
 
   typedef Multilevel_minimizer::Iteration_factory Iteration_factory;
 
@@ -61,12 +62,14 @@ public:
   Worker make_worker() const
   {
     if(m_balanced)
-      return [this, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](const Uv_coordinates& border_uv) {
+      return [this, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](const Uv_coordinates& border_uv,
+                                                                                     const Uv_coordinates* warm_start) {
         if(has_chord_on_a_side(m_patch, border_uv))
           return Minimized_map();
-        return if_one_to_one(m_balanced->minimize(border_uv, *workspace));
+        return if_one_to_one(m_balanced->minimize(border_uv, *workspace, warm_start));
       };
-    return [this, workspace = std::make_shared<Stretch_iteration::Workspace>()](const Uv_coordinates& border_uv) {
+    return [this, workspace = std::make_shared<Stretch_iteration::Workspace>()](const Uv_coordinates& border_uv,
+                                                                                const Uv_coordinates*) {
       if(has_chord_on_a_side(m_patch, border_uv))
         return Minimized_map();
       return if_one_to_one(m_iteration->minimize(border_uv, 1, *workspace));
@@ -95,7 +98,7 @@ public:
       border_uv.col(0).swap(border_uv.col(1));
     // what is minimised supposes the area 1; a unit square is left as it is
     const double scale = std::abs(std::abs(area) - 1) < 1e-12 ? 1 : 1 / std::sqrt(std::abs(area));
-    Minimized_map map = finish(make_worker()(scale * border_uv));
+    Minimized_map map = finish(make_worker()(scale * border_uv, nullptr));
     if(map.uv.rows() == 0)
       return map;
     if(scale != 1) {

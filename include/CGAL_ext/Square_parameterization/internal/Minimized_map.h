@@ -15,6 +15,7 @@ struct Minimized_map
 {
   Uv_coordinates uv; ///< #V by 2; empty when no one-to-one map was found
   Minimization_report report;
+  Uv_coordinates warm_start; ///< from which a similar border may be mapped; empty when the minimizer has none
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/Balanced_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/insert_vertices.h>
+#include <CGAL_ext/Square_parameterization/internal/transport_map.h>
 
 #include <deque>
 #include <functional>
@@ -44,20 +45,35 @@ public:
       m_coarse.push_back(coarse);
       m_minimizers.push_back(std::make_unique<Balanced_minimizer>(coarse->patch, coarse_options));
     }
+    while(m_minimizers[m_warm_level]->patch().number_of_vertices() > LARGEST_WARM_START &&
+          m_warm_level + 1 < m_minimizers.size())
+      ++m_warm_level;
     m_coarse_balance = coarse_options.balance;
     m_iteration = std::make_unique<Stretch_iteration>(m_make_iteration(m_minimizers.back()->patch()));
   }
 
   /// maps for the border \p border_uv (#B by 2) on the unit square, to the tolerance of a search. The result has no uv
   /// when no map without flips was found to start from.
-  Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace) const
+  /// \param warm_start of a map for a similar border, the map of one of the coarse patches; it saves the coarser ones. May
+  ///        be null.
+  Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
+                         const Uv_coordinates* warm_start = nullptr) const
   {
     while(workspace.levels.size() < m_minimizers.size())
       workspace.levels.emplace_back();
-    Uv_coordinates uv = m_iteration->minimize(border_uv, 1, workspace.iteration).uv;
-    for(std::size_t level = m_coarse.size(); level > 0 && uv.rows() > 0; --level) {
+    Uv_coordinates uv, own_warm_start;
+    std::size_t level = m_warm_level;
+    if(warm_start != nullptr)
+      uv = transport_map(m_minimizers[level]->patch(), *warm_start, border_uv);
+    if(uv.rows() == 0) {
+      level = m_coarse.size();
+      uv = m_iteration->minimize(border_uv, 1, workspace.iteration).uv;
+    }
+    for(; level > 0 && uv.rows() > 0; --level) {
       m_minimizers[level]->relax(uv);
-      uv = m_minimizers[level]->minimize({std::move(uv), {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
+      uv = m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
+      if(level == m_warm_level)
+        own_warm_start = uv;
       auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, m_coarse_balance);
       uv = finer ? std::move(*finer) : Uv_coordinates();
     }
@@ -68,7 +84,10 @@ public:
     if(uv.rows() == 0)
       return Minimized_map();
     m_minimizers[0]->relax(uv);
-    return m_minimizers[0]->minimize({std::move(uv), {}}, m_options.search_tolerance, workspace.levels[0]);
+    Minimized_map map =
+        m_minimizers[0]->minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[0]);
+    map.warm_start = m_warm_level == 0 ? map.uv : std::move(own_warm_start);
+    return map;
   }
 
   /// continues with a map of `minimize()`, to the tolerance of the map that is delivered
@@ -84,6 +103,7 @@ private:
   // a coarse patch is where saddle points, as symmetric meshes have them, are left at little cost
   static constexpr double COARSE_TOLERANCE = 1e-5;
   static constexpr unsigned int COARSE_ITERATIONS = 200;
+  static constexpr int LARGEST_WARM_START = 1000; // vertices; above, to transport a map costs more than it saves
 
   /// the next coarser patch, with half the interior vertices; none when the patch is small or cannot be made coarser
   static std::shared_ptr<const Coarse_patch> coarsened(const Patch& patch)
@@ -111,6 +131,7 @@ private:
   Iteration_factory m_make_iteration;
   Balanced_options m_options;
   double m_coarse_balance = 0;
+  std::size_t m_warm_level = 0; // of the patch whose maps are warm starts
 };
 
 } // namespace internal

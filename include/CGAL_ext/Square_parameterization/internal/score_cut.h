@@ -74,7 +74,7 @@ inline double least_stretch(const Patch& patch, const Cut_score_options& options
   maps.resize((std::min)(maps.size(), static_cast<std::size_t>(options.refined_candidates)));
   for(Minimized_map& map : maps)
     if(map.uv.rows() > 0)
-      least = (std::min)(least, minimizer.minimize({std::move(map.uv), {}}, TOLERANCE, workspace).report.l2);
+      least = (std::min)(least, minimizer.minimize({std::move(map.uv), {}, {}}, TOLERANCE, workspace).report.l2);
   return least;
 }
 

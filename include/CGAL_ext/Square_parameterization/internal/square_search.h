@@ -60,7 +60,9 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
     return square_border(walk, corners_of_candidate(walk, candidate, options.corner_rule));
   };
   const auto make_worker = [&]() -> Candidate_evaluation::Worker {
-    return [&, map_for = minimizer.make_worker()](int candidate) { return map_for(border_of(candidate).uv); };
+    return [&, map_for = minimizer.make_worker()](int candidate, const Uv_coordinates* warm_start) {
+      return map_for(border_of(candidate).uv, warm_start);
+    };
   };
   Corner_search_problem problem;
   problem.number_of_candidates =
@@ -68,6 +70,7 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, options.number_of_threads, options.visitor,
                                   options.callback);
   problem.stretch_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
+  problem.stretch_from_neighbors = [&](const std::vector<int>& candidates) { return evaluation(candidates, true); };
   problem.number_of_vertices = patch.number_of_vertices();
   problem.number_of_faces = patch.number_of_faces();
   problem.circle_stretch = [&] { return circle_stretch(patch, *minimizer.iteration()); };
@@ -97,7 +100,7 @@ inline Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& 
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "the four corners are not distinct border vertices in counter-clockwise order");
   const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
-  Search_outcome outcome{minimizer.finish(minimizer.make_worker()(border.uv)), {}};
+  Search_outcome outcome{minimizer.finish(minimizer.make_worker()(border.uv, nullptr)), {}};
   outcome.report.candidates = 1;
   outcome.report.evaluations = 1;
   outcome.report.best_stretch = outcome.map.report.objective;

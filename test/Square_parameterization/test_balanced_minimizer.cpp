@@ -176,6 +176,25 @@ TEST_CASE("a map stopped after any number of steps has no flips, and continued i
   CHECK(continued.report.history.size() == continued.report.iterations + 1);
 }
 
+TEST_CASE("settling a map mends what one vertex spoils")
+{
+  const Patch patch = make_patch_of(cone(6, 6, 19));
+  const auto linf = [&](const Uv_coordinates& uv) { return measure(patch.shapes, patch.triangles, uv).linf; };
+  for(double balance : {0., 0.3}) {
+    const Minimized_map good = minimized(patch, some_map(patch), options(balance, true), 1e-10);
+    const auto& t = patch.triangles[patch.number_of_faces() / 2]; // of interior vertices
+    Minimized_map spoiled = good;
+    spoiled.uv.row(t[0]) = 0.005 * good.uv.row(t[0]) + 0.4975 * (good.uv.row(t[1]) + good.uv.row(t[2]));
+    REQUIRE(number_of_flipped_faces(patch.triangles, spoiled.uv) == 0);
+    REQUIRE(linf(spoiled.uv) > 10 * linf(good.uv));
+    Balanced_minimizer(patch, options(balance, true)).settle(spoiled);
+    CHECK(number_of_flipped_faces(patch.triangles, spoiled.uv) == 0);
+    CHECK(linf(spoiled.uv) < 1.1 * linf(good.uv));
+    CHECK(spoiled.report.objective == Approx(energy_by_definition(patch, spoiled.uv, balance)).epsilon(1e-12));
+    CHECK(spoiled.report.history.size() == good.report.history.size());
+  }
+}
+
 TEST_CASE("the flat square is found from a bad start, with its border fixed and sliding")
 {
   const Patch patch = make_patch_of(unit_square(6));

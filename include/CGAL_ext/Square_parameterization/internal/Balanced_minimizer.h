@@ -109,6 +109,18 @@ public:
     return map;
   }
 
+  /// sweeps over a minimised map a few times: what is left in tiny triangles counts for nothing in the energy, but may be
+  /// the largest stretch of all
+  void settle(Minimized_map& map) const
+  {
+    constexpr int SWEEPS = 5;
+    const Free_coordinates is_free = free_coordinates(patch(), map.uv, m_options.is_border_sliding);
+    for(int i = 0; i < SWEEPS; ++i)
+      m_sweep(is_free, map.uv);
+    map.report.objective = map.report.history.back() = m_energy(map.uv);
+    map.report.l2 = std::sqrt(stretch_energy(patch(), map.uv));
+  }
+
 private:
   /// far from the minimum the Hessian changes more from step to step
   static unsigned int lifetime_of_factors(unsigned int iterations) { return iterations <= 8 ? 4 : 8; }

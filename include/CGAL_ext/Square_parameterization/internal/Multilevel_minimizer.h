@@ -90,11 +90,13 @@ public:
     return map;
   }
 
-  /// continues with a map of `minimize()`, to the tolerance of the map that is delivered
+  /// continues with a map of `minimize()`, to the tolerance of the map that is delivered, and settles it
   Minimized_map finish(Minimized_map map) const
   {
     Balanced_minimizer::Workspace workspace;
-    return m_minimizers[0]->minimize(std::move(map), m_options.tolerance, workspace);
+    map = m_minimizers[0]->minimize(std::move(map), m_options.tolerance, workspace);
+    m_minimizers[0]->settle(map);
+    return map;
   }
 
 private:

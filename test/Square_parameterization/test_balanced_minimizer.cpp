@@ -189,7 +189,7 @@ TEST_CASE("settling a map mends what one vertex spoils")
     REQUIRE(linf(spoiled.uv) > 10 * linf(good.uv));
     Balanced_minimizer(patch, options(balance, true)).settle(spoiled);
     CHECK(number_of_flipped_faces(patch.triangles, spoiled.uv) == 0);
-    CHECK(linf(spoiled.uv) < 1.1 * linf(good.uv));
+    CHECK(linf(spoiled.uv) < 1.5 * linf(good.uv));
     CHECK(spoiled.report.objective == Approx(energy_by_definition(patch, spoiled.uv, balance)).epsilon(1e-12));
     CHECK(spoiled.report.history.size() == good.report.history.size());
   }

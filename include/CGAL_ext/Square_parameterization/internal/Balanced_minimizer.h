@@ -117,7 +117,9 @@ public:
     const Free_coordinates is_free = free_coordinates(patch(), map.uv, m_options.is_border_sliding);
     for(int i = 0; i < SWEEPS; ++i)
       m_sweep(is_free, map.uv);
-    map.report.objective = map.report.history.back() = m_energy(map.uv);
+    Uv_coordinates gradient;
+    map.report.objective = map.report.history.back() = gradient_at(map.uv, is_free, gradient);
+    map.report.gradient_norm = gradient.norm();
     map.report.l2 = std::sqrt(stretch_energy(patch(), map.uv));
   }
 

@@ -360,6 +360,10 @@ TEST_CASE("faces that are not triangles cannot be mapped and are counted")
   soup.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 0, 0}};
   soup.faces = {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 6, 5}};
   check_refusal_of_soup(soup, UNMAPPABLE, "2 non-triangular faces");
+  const Mapped mapped = check_map(soup, {"--triangulate"});
+  CHECK(mapped.report["conditioned"]["polygons_triangulated"] == 2);
+  CHECK(mapped.report["input"]["faces"] == 3);
+  CHECK(std::equal(soup.points.begin(), soup.points.end(), mapped.map.points.begin()));
 }
 
 TEST_CASE("an edge with three faces cannot be mapped")
@@ -395,17 +399,46 @@ TEST_CASE("a closed surface cannot be mapped uncut")
   check_refusal_of_soup(tetrahedron, UNMAPPABLE, "closed", {"--cut", "none"});
 }
 
-TEST_CASE("two components cannot be mapped")
+namespace {
+
+/// both surfaces in one file
+Soup united(const Soup& first, const Soup& second)
 {
-  Soup soup = small;
-  const Soup other = sheet(2, 4, 100);
-  for(Face face : other.faces) {
+  Soup soup = first;
+  for(Face face : second.faces) {
     for(long& v : face)
-      v += static_cast<long>(small.points.size());
+      v += static_cast<long>(first.points.size());
     soup.faces.push_back(face);
   }
-  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  soup.points.insert(soup.points.end(), second.points.begin(), second.points.end());
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("of several components one must be chosen")
+{
+  const Soup other = sheet(2, 4, 100), soup = united(other, small);
   check_refusal_of_soup(soup, UNMAPPABLE, "2 connected components");
+  check_refusal_of_soup(soup, UNMAPPABLE, "0 has 48 faces, 1 has 16 faces");
+  for(const char* number : {"2", "99999999999"})
+    check_refusal_of_soup(soup, BAD_COMMAND_LINE, "the surface has 2", {"--component", number});
+  for(const char* name : {"", "-1", "x", "0x", "1.5", "Largest", "99999999999999999999999"})
+    check_refusal_of_soup(soup, BAD_COMMAND_LINE, "--component is", {"--component", name});
+
+  const Mapped expected = check_map(small);
+  for(const char* name : {"largest", "0"}) {
+    const Mapped mapped = check_map(soup, {"--component", name});
+    CHECK(mapped.text == expected.text);
+    CHECK(mapped.messages.find("component 0 of 2") != std::string::npos);
+    const nlohmann::json& conditioned = mapped.report["conditioned"];
+    CHECK(conditioned["components"] == 2);
+    CHECK(conditioned["component"] == 0);
+    CHECK(conditioned["faces_dropped"] == other.faces.size());
+    CHECK(conditioned["vertices_dropped"] == other.points.size());
+  }
+  CHECK(check_map(soup, {"--component", "1"}).map.points == other.points);
+  CHECK(check_map(small, {"--component", "largest"}).report["conditioned"]["components"] == 1);
 }
 
 namespace {
@@ -733,8 +766,9 @@ TEST_CASE("the report holds what it promises")
   const std::string input = folder.add("in.off", off(small));
   const nlohmann::json report = check_map(input, {"--strategy", "quarter-brute-force"}).report;
   CHECK(report["input"] == nlohmann::json{{"file", input}, {"vertices", 35}, {"faces", 48}});
-  for(const char* key : {"vertices", "faces", "border_edges", "seam_edges", "cut_length", "chords_split",
-                         "vertices_dropped", "faces_reoriented"})
+  for(const char* key :
+      {"vertices", "faces", "border_edges", "seam_edges", "cut_length", "chords_split", "vertices_dropped",
+       "faces_reoriented", "components", "component", "faces_dropped", "polygons_triangulated"})
     CHECK(report["conditioned"][key].is_number());
   CHECK(report["strategy"] == "quarter-brute-force");
   CHECK(report["minimizer"] == "iterative");

@@ -161,6 +161,8 @@ Exit_status run(Command_line line)
                 << " were dropped\n";
     if(cut.seam_edges > 0)
       std::cerr << "cut along " << cut.seam_edges << " edges, " << cut.cut_length << " sqrt(area) long\n";
+    if(result.degenerate_faces > 0)
+      std::cerr << result.degenerate_faces << " faces without area were mapped as if they were a little wide\n";
     if(result.chords_split > 0)
       std::cerr << result.chords_split << " chords were split\n";
     std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << result.search.best_candidate << ", "

@@ -40,6 +40,7 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                          {"seam_edges", cut.seam_edges},
                          {"cut_length", cut.cut_length},
                          {"chords_split", result.chords_split},
+                         {"degenerate_faces", result.degenerate_faces},
                          {"components", conditioning.components},
                          {"component", conditioning.component},
                          {"vertices_dropped", conditioning.vertices_dropped},

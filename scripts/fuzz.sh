@@ -17,6 +17,6 @@ for file in "$meshes"/{tetrahedron,cube_quad,triangle,open_cube}.off; do
   [ ! -f "$file" ] || { printf '\0'; cat "$file"; } > "corpus_readers/$(basename "$file")"
 done
 for name in readers maps; do
-  bin/fuzz_$name -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=2048 -len_control=0 -print_final_stats=1 \
+  bin/fuzz_$name -max_total_time="$seconds" -timeout=120 -rss_limit_mb=4096 -max_len=2048 -len_control=0 -print_final_stats=1 \
     corpus_$name
 done

@@ -91,10 +91,8 @@ inline Outcome map_bytes(const std::uint8_t* data, std::size_t size)
   Fuzz_uv_map uv = mesh.add_property_map<Fuzz_mesh::Vertex_index, Fuzz_kernel::Point_2>("uv").first;
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
   namespace SMP = CGAL::Surface_mesh_parameterization;
-  if(result.status == SMP::ERROR_BORDER_TOO_SHORT)
-    return Outcome::REFUSED;
-  if(result.status == SMP::ERROR_NO_1_TO_1_MAPPING)
-    return Outcome::UNMAPPED;
+  if(result.status == SMP::ERROR_BORDER_TOO_SHORT || result.status == SMP::ERROR_NO_1_TO_1_MAPPING)
+    return result.search.evaluations == 0 ? Outcome::REFUSED : Outcome::UNMAPPED;
   if(result.status != SMP::OK)
     throw std::logic_error("a conditioned surface is refused: " + result.message);
   check_one_to_one(mesh, uv, result);

@@ -13,8 +13,11 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the least height of a face, and the least length of a border edge, in a metric that can be mapped one-to-one, in units
-/// of sqrt(area): a face without area is given this height over its longest side. The points are left as they are.
+/// of sqrt(area): a degenerate face is given this height over its longest side. The points are left as they are.
 constexpr double LEAST_LENGTH = 1e-4;
+
+/// the height, in the same units, below which a face is degenerate. Thinner ones have no maps with digits to spare.
+constexpr double DEGENERATE_HEIGHT = 1e-8;
 
 /// a triangle laid into its own plane, counter-clockwise, with corners (0, 0), (`x1`, 0) and (`x2`, `y2`);
 /// `x1` and `y2` are positive
@@ -43,7 +46,7 @@ inline Flat_triangle flatten(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
   return {x1, axis.dot(b), twice_area / x1};
 }
 
-/// lays the triangle `pqr`, which has no area, into the plane as if its height were \p least_length over its longest
+/// lays the triangle `pqr`, which is degenerate, into the plane as if its height were \p least_length over its longest
 /// side, and that side no shorter
 inline Flat_triangle widened(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r,
                              double least_length)

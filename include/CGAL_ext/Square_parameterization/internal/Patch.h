@@ -23,8 +23,8 @@ using Uv_coordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>
 
 /// a topological disk as flat arrays: the form in which everything below the plug-ins sees a mesh.
 ///
-/// Lengths are scaled so that the area of the patch is 1, the area of the square it will be mapped to. A face without
-/// area counts with the shape that `widened()` gives it, a border edge without length as `LEAST_LENGTH` long.
+/// Lengths are scaled so that the area of the patch is 1, the area of the square it will be mapped to. A
+/// degenerate face counts with the shape that `widened()` gives it, as short a border edge as `LEAST_LENGTH` long.
 struct Patch
 {
   std::vector<Eigen::Vector3d> points;            ///< #V
@@ -36,8 +36,9 @@ struct Patch
   std::vector<std::array<int, 3>> triangle_edges; ///< #F, edge k is opposite to corner k
   std::vector<std::array<int, 2>> chords;         ///< interior edges between two border vertices
   std::vector<double> vertex_areas;               ///< #V, area of the incident triangles
-  std::vector<int> degenerate_faces;              ///< those without area, ascending
-  double rounding = 0;                            ///< length below which the points carry no information
+  std::vector<int> degenerate_faces;              ///< lower than `least_height`, ascending
+  double least_height = 0; ///< `DEGENERATE_HEIGHT`, or more where coordinates carry less information
+  double rounding = 0;     ///< length below which the points carry no information
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_faces() const { return static_cast<int>(triangles.size()); }
@@ -113,15 +114,15 @@ inline void number_edges(Patch& patch)
   }
 }
 
-/// lays a triangle between points of the patch into the plane; see `widened()` for one without area
+/// lays a triangle between points of the patch into the plane; see `widened()` for a degenerate one
 inline Flat_triangle shape_between(const Patch& patch, int a, int b, int c)
 {
   const Eigen::Vector3d &p = patch.points[a], &q = patch.points[b], &r = patch.points[c];
-  const Flat_triangle shape = flatten(p, q, r, patch.rounding);
+  const Flat_triangle shape = flatten(p, q, r, patch.least_height);
   return shape.y2 > 0 ? shape : widened(p, q, r, LEAST_LENGTH);
 }
 
-/// the shapes of the faces as their points have them: those of degenerate faces have no area
+/// the shapes of the faces as their points have them: some have no area
 inline std::vector<Flat_triangle> shapes_as_given(const Patch& patch)
 {
   std::vector<Flat_triangle> shapes = patch.shapes;
@@ -132,12 +133,11 @@ inline std::vector<Flat_triangle> shapes_as_given(const Patch& patch)
   return shapes;
 }
 
-/// refuses a surface of which no face has an area: its shape is not known
-inline void check_extent(std::size_t faces, std::size_t degenerate_faces)
+/// the surface has no shape that could be mapped
+[[noreturn]] inline void refuse_without_extent(std::size_t faces)
 {
-  if(degenerate_faces == faces)
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
-                     "the surface has no extent: all of its " + std::to_string(faces) + " faces are without area");
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
+                   "the surface has no extent: all of its " + std::to_string(faces) + " faces are without area");
 }
 
 /// multiplies all lengths
@@ -148,26 +148,32 @@ inline void scale_patch(double scale, Patch& patch)
   for(Flat_triangle& shape : patch.shapes)
     shape = {shape.x1 * scale, shape.x2 * scale, shape.y2 * scale};
   patch.rounding *= scale;
+  patch.least_height *= scale;
 }
 
 /// fills the shapes and the degenerate faces of a patch whose points are normalised, and scales it to area 1
 inline void measure_faces(Patch& patch)
 {
   double area = 0;
-  for(int f = 0; f < patch.number_of_faces(); ++f) {
-    const auto& [a, b, c] = patch.triangles[f];
+  for(const auto& [a, b, c] : patch.triangles) {
     patch.shapes.push_back(flatten(patch.points[a], patch.points[b], patch.points[c], patch.rounding));
     area += patch.shapes.back().area();
-    if(patch.shapes.back().y2 == 0)
+  }
+  if(!(area > 0))
+    refuse_without_extent(patch.triangles.size());
+  scale_patch(1 / std::sqrt(area), patch);
+  patch.least_height = (std::max)(DEGENERATE_HEIGHT, patch.rounding);
+  for(int f = 0; f < patch.number_of_faces(); ++f) {
+    const auto& [a, b, c] = patch.triangles[f];
+    if(flatten(patch.points[a], patch.points[b], patch.points[c], patch.least_height).y2 == 0)
       patch.degenerate_faces.push_back(f);
   }
-  check_extent(patch.triangles.size(), patch.degenerate_faces.size());
-  scale_patch(1 / std::sqrt(area), patch);
   if(patch.degenerate_faces.empty())
     return;
   area = 1;
   for(int f : patch.degenerate_faces) {
     const auto& [a, b, c] = patch.triangles[f];
+    area -= patch.shapes[f].area();
     patch.shapes[f] = widened(patch.points[a], patch.points[b], patch.points[c], LEAST_LENGTH);
     area += patch.shapes[f].area();
   }
@@ -198,7 +204,7 @@ inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::ar
   for(std::size_t k = 0; k < patch.border.size(); ++k) {
     const int from = patch.border[k], to = patch.border[(k + 1) % patch.border.size()];
     const double length = (patch.points[to] - patch.points[from]).norm();
-    patch.border_lengths.push_back(length > patch.rounding ? length : LEAST_LENGTH);
+    patch.border_lengths.push_back(length > patch.least_height ? length : LEAST_LENGTH);
   }
   patch.vertex_areas.assign(patch.points.size(), 0.);
   for(int f = 0; f < patch.number_of_faces(); ++f)

@@ -20,10 +20,11 @@ inline Triangle_surface surface_of_soup(const Surface_soup& soup)
   std::vector<std::array<int, 3>> triangles;
   for(const auto& face : soup.faces)
     triangles.push_back({static_cast<int>(face[0]), static_cast<int>(face[1]), static_cast<int>(face[2])});
-  const std::size_t degenerate = std::count_if(triangles.begin(), triangles.end(), [&](const auto& t) {
-    return flatten(points[t[0]], points[t[1]], points[t[2]], rounding).y2 == 0;
+  const bool has_extent = std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    return flatten(points[t[0]], points[t[1]], points[t[2]], rounding).y2 > 0;
   });
-  check_extent(triangles.size(), degenerate);
+  if(!has_extent)
+    refuse_without_extent(triangles.size());
   return make_triangle_surface(std::move(points), std::move(triangles));
 }
 

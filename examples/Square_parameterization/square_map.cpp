@@ -63,6 +63,19 @@ std::array<std::size_t, 4> conditioned_corners(const std::array<std::size_t, 4>&
   return result;
 }
 
+/// conditions the soup; a component that it does not have is a matter of the command line
+CGAL_ext::internal::Conditioning_report condition(CGAL_ext::internal::Surface_soup& soup,
+                                                  const CGAL_ext::internal::Conditioning_options& options)
+{
+  try {
+    return CGAL_ext::internal::condition_soup(soup, options);
+  } catch(const CGAL_ext::internal::Unmappable& error) {
+    if(error.code() == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
+      throw Usage_error(error.what());
+    throw;
+  }
+}
+
 /// runs the whole job; problems leave as exceptions, and with them no output file
 Exit_status run(Command_line line)
 {
@@ -85,9 +98,7 @@ Exit_status run(Command_line line)
     report = std::make_unique<Output_file>(line.json);
 
   const auto condition_start = Clock::now();
-  const bool may_cut = line.cut_options.mode != CGAL_ext::Cut_mode::NONE || !line.seams.empty();
-  using CGAL_ext::internal::Topology;
-  const auto conditioning = CGAL_ext::internal::condition_soup(soup, may_cut ? Topology::CONNECTED : Topology::DISK);
+  const auto conditioning = condition(soup, line.conditioning_options);
   const auto cut_start = Clock::now();
   std::vector<std::array<int, 2>> seams;
   if(!line.seams.empty())
@@ -137,12 +148,21 @@ Exit_status run(Command_line line)
     if(file != nullptr)
       file->commit();
   if(!line.is_quiet) {
+    if(conditioning.components > 1)
+      std::cerr << "component " << conditioning.component << " of " << conditioning.components << " was kept, "
+                << conditioning.faces_dropped << " faces of the others were dropped\n";
+    if(conditioning.polygons_triangulated > 0)
+      std::cerr << conditioning.polygons_triangulated << " polygons were split into triangles\n";
     if(conditioning.faces_reoriented > 0)
       std::cerr << conditioning.faces_reoriented << " faces were turned round to agree with their neighbors\n";
     if(conditioning.vertices_dropped > 0)
-      std::cerr << conditioning.vertices_dropped << " isolated vertices were dropped\n";
+      std::cerr << conditioning.vertices_dropped
+                << (conditioning.components > 1 ? " vertices without a kept face" : " isolated vertices")
+                << " were dropped\n";
     if(cut.seam_edges > 0)
       std::cerr << "cut along " << cut.seam_edges << " edges, " << cut.cut_length << " sqrt(area) long\n";
+    if(result.degenerate_faces > 0)
+      std::cerr << result.degenerate_faces << " faces without area were mapped as if they were a little wide\n";
     if(result.chords_split > 0)
       std::cerr << result.chords_split << " chords were split\n";
     std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << result.search.best_candidate << ", "

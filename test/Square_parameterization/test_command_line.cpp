@@ -316,17 +316,15 @@ TEST_CASE("a surface without faces cannot be mapped")
   check_refusal_of_text("in.ply", ply(points), UNMAPPABLE, "no faces");
 }
 
-TEST_CASE("faces without area cannot be mapped")
+TEST_CASE("faces that are all without area cannot be mapped")
 {
   Soup soup = small;
-  const Face& face = soup.faces[9];
-  for(int i = 0; i < 3; ++i) // the third corner on the line through the two others
-    soup.points[face[2]][i] = (soup.points[face[0]][i] + soup.points[face[1]][i]) / 2;
-  check_refusal_of_soup(soup, UNMAPPABLE, "face 9");
-
   for(Point& p : soup.points)
     p = {p[0], 2 * p[0], 0};
-  check_refusal_of_soup(soup, UNMAPPABLE, std::to_string(soup.faces.size()) + " faces");
+  check_refusal_of_soup(soup, UNMAPPABLE, "all of its 48 faces are without area");
+  // closed, to be cut
+  check_refusal_of_soup({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}},
+                        UNMAPPABLE, "all of its 4 faces are without area");
 }
 
 TEST_CASE("vertices that all coincide cannot be mapped")
@@ -335,16 +333,6 @@ TEST_CASE("vertices that all coincide cannot be mapped")
   for(Point& p : soup.points)
     p = {1, 2, 3};
   check_refusal_of_soup(soup, UNMAPPABLE);
-}
-
-TEST_CASE("a border edge without length cannot be mapped")
-{
-  Soup soup = small;
-  const std::vector<long> border = border_of(soup.faces);
-  soup.points[border[3]] = soup.points[border[4]];
-  check_refusal_of_soup(soup, UNMAPPABLE,
-                        "from vertex " + std::to_string(border[3]) + " to vertex " + std::to_string(border[4]) +
-                            " has no length");
 }
 
 TEST_CASE("a face that repeats a vertex cannot be mapped")
@@ -360,6 +348,10 @@ TEST_CASE("faces that are not triangles cannot be mapped and are counted")
   soup.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 0, 0}};
   soup.faces = {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 6, 5}};
   check_refusal_of_soup(soup, UNMAPPABLE, "2 non-triangular faces");
+  const Mapped mapped = check_map(soup, {"--triangulate"});
+  CHECK(mapped.report["conditioned"]["polygons_triangulated"] == 2);
+  CHECK(mapped.report["input"]["faces"] == 3);
+  CHECK(std::equal(soup.points.begin(), soup.points.end(), mapped.map.points.begin()));
 }
 
 TEST_CASE("an edge with three faces cannot be mapped")
@@ -395,17 +387,46 @@ TEST_CASE("a closed surface cannot be mapped uncut")
   check_refusal_of_soup(tetrahedron, UNMAPPABLE, "closed", {"--cut", "none"});
 }
 
-TEST_CASE("two components cannot be mapped")
+namespace {
+
+/// both surfaces in one file
+Soup united(const Soup& first, const Soup& second)
 {
-  Soup soup = small;
-  const Soup other = sheet(2, 4, 100);
-  for(Face face : other.faces) {
+  Soup soup = first;
+  for(Face face : second.faces) {
     for(long& v : face)
-      v += static_cast<long>(small.points.size());
+      v += static_cast<long>(first.points.size());
     soup.faces.push_back(face);
   }
-  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  soup.points.insert(soup.points.end(), second.points.begin(), second.points.end());
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("of several components one must be chosen")
+{
+  const Soup other = sheet(2, 4, 100), soup = united(other, small);
   check_refusal_of_soup(soup, UNMAPPABLE, "2 connected components");
+  check_refusal_of_soup(soup, UNMAPPABLE, "0 has 48 faces, 1 has 16 faces");
+  for(const char* number : {"2", "99999999999"})
+    check_refusal_of_soup(soup, BAD_COMMAND_LINE, "the surface has 2", {"--component", number});
+  for(const char* name : {"", "-1", "x", "0x", "1.5", "Largest", "99999999999999999999999"})
+    check_refusal_of_soup(soup, BAD_COMMAND_LINE, "--component is", {"--component", name});
+
+  const Mapped expected = check_map(small);
+  for(const char* name : {"largest", "0"}) {
+    const Mapped mapped = check_map(soup, {"--component", name});
+    CHECK(mapped.text == expected.text);
+    CHECK(mapped.messages.find("component 0 of 2") != std::string::npos);
+    const nlohmann::json& conditioned = mapped.report["conditioned"];
+    CHECK(conditioned["components"] == 2);
+    CHECK(conditioned["component"] == 0);
+    CHECK(conditioned["faces_dropped"] == other.faces.size());
+    CHECK(conditioned["vertices_dropped"] == other.points.size());
+  }
+  CHECK(check_map(soup, {"--component", "1"}).map.points == other.points);
+  CHECK(check_map(small, {"--component", "largest"}).report["conditioned"]["components"] == 1);
 }
 
 namespace {
@@ -733,8 +754,9 @@ TEST_CASE("the report holds what it promises")
   const std::string input = folder.add("in.off", off(small));
   const nlohmann::json report = check_map(input, {"--strategy", "quarter-brute-force"}).report;
   CHECK(report["input"] == nlohmann::json{{"file", input}, {"vertices", 35}, {"faces", 48}});
-  for(const char* key : {"vertices", "faces", "border_edges", "seam_edges", "cut_length", "chords_split",
-                         "vertices_dropped", "faces_reoriented"})
+  for(const char* key :
+      {"vertices", "faces", "border_edges", "seam_edges", "cut_length", "chords_split", "vertices_dropped",
+       "faces_reoriented", "components", "component", "faces_dropped", "degenerate_faces", "polygons_triangulated"})
     CHECK(report["conditioned"][key].is_number());
   CHECK(report["strategy"] == "quarter-brute-force");
   CHECK(report["minimizer"] == "optimal");
@@ -905,6 +927,28 @@ TEST_CASE("chords are split at their midpoint")
                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
   CHECK(check_map(fan).report["conditioned"]["chords_split"] == 3);
   CHECK(check_map(fan, {"--preset", "paper", "--strategy", "brute-force"}).report["conditioned"]["chords_split"] == 2);
+}
+
+TEST_CASE("faces without area are mapped and counted, and the points stay where they are")
+{
+  const std::vector<long> border = border_of(small.faces);
+  Soup flat_face = small, short_border = small, short_edge = small, cluster = small;
+  const Face& face = small.faces[9];
+  for(int i = 0; i < 3; ++i) // the third corner on the line through the two others
+    flat_face.points[face[2]][i] = (small.points[face[0]][i] + small.points[face[1]][i]) / 2;
+  short_border.points[border[3]] = small.points[border[4]];
+  short_edge.points[face[0]] = small.points[face[1]];
+  for(long v = 10; v < 24; ++v)
+    cluster.points[v] = small.points[10];
+  for(const Soup& soup : {flat_face, short_border, short_edge, cluster})
+    for(const Arguments& options : {Arguments{}, Arguments{"--minimizer", "optimal"}}) {
+      const Mapped mapped = check_map(soup, options);
+      CHECK(std::equal(soup.points.begin(), soup.points.end(), mapped.map.points.begin()));
+      CHECK(mapped.report["conditioned"]["degenerate_faces"] >= 1);
+      CHECK(mapped.messages.find("faces without area") != std::string::npos);
+    }
+  CHECK(check_map(flat_face).report["conditioned"]["degenerate_faces"] == 1);
+  CHECK(check_map(small).report["conditioned"]["degenerate_faces"] == 0);
 }
 
 TEST_CASE("mis-oriented faces are turned round and isolated vertices dropped")

@@ -150,6 +150,19 @@ struct Measures
   std::size_t flipped = 0;
 };
 
+/// area of a triangle in space; exactly zero for small whole coordinates on a line
+inline long double area_of(const Point& p, const Point& q, const Point& r)
+{
+  typedef long double Real;
+  Real squares = 0;
+  for(int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Real cross = (Real(q[i]) - p[i]) * (Real(r[j]) - p[j]) - (Real(q[j]) - p[j]) * (Real(r[i]) - p[i]);
+    squares += cross * cross;
+  }
+  return std::sqrt(squares) / 2;
+}
+
 /// the formulas of Sander et al. 2001 as they stand in the paper
 inline Measures measure(const Map& map)
 {
@@ -173,11 +186,12 @@ inline Measures measure(const Map& map)
       b += Ss * St;
       c += St * St;
     }
-    const Real area = std::abs(uv_area) * std::sqrt(a * c - b * b);
+    const Real area = area_of(q1, q2, q3); // it is |uv_area| sqrt(a c - b b), too
     result.uv_area += uv_area;
     surface_area += area;
     energy += (a + c) / 2 * area;
-    inverse_energy += (a + c) / (a * c - b * b) / 2 * area;
+    if(area > 0)
+      inverse_energy += (a + c) / 2 * uv_area * uv_area / area;
     largest = std::max(largest, std::sqrt((a + c + std::sqrt((a - c) * (a - c) + 4 * b * b)) / 2));
   }
   const Real scale = result.uv_area / surface_area;

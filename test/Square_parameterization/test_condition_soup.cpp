@@ -37,10 +37,11 @@ Surface_soup soup_of(std::size_t number_of_points, const Faces& faces)
 }
 
 /// the message with which the soup is refused; fails when the code is not the expected one
-std::string refusal(Surface_soup soup, SMP::Error_code code = SMP::ERROR_NO_TOPOLOGICAL_DISC)
+std::string refusal(Surface_soup soup, SMP::Error_code code = SMP::ERROR_NO_TOPOLOGICAL_DISC,
+                    const Conditioning_options& options = {})
 {
   try {
-    condition_soup(soup);
+    condition_soup(soup, options);
   } catch(const Unmappable& error) {
     CHECK(error.code() == code);
     return error.what();
@@ -240,4 +241,104 @@ TEST_CASE("vertices where two fans meet are counted and named")
     two.push_back(face);
   }
   CHECK_THAT(refusal(soup_of(7, two)), Contains("1 non-manifold vertex (vertex 0)"));
+}
+
+namespace {
+
+Conditioning_options component(std::size_t number)
+{
+  Conditioning_options options;
+  options.component = number;
+  return options;
+}
+
+Conditioning_options triangulation()
+{
+  Conditioning_options options;
+  options.triangulate = true;
+  return options;
+}
+
+/// triangles apart from each other, sizes 1, 2, 3, 2, 1, with an isolated vertex in the middle
+const Faces FIVE_COMPONENTS{{0, 1, 2},   {3, 4, 5},    {5, 4, 6},    {7, 8, 9},   {9, 8, 10},
+                            {10, 8, 11}, {13, 14, 15}, {15, 14, 16}, {17, 18, 19}};
+
+} // namespace
+
+TEST_CASE("components are numbered by their number of faces, then by their first face")
+{
+  CHECK_THAT(refusal(soup_of(20, FIVE_COMPONENTS)),
+             Contains("5 connected components") && Contains("(0 has 3 faces, 1 has 2 faces, 2 has 2 faces, ...)"));
+  const std::vector<std::vector<std::size_t>> points{
+      {7, 8, 9, 10, 11}, {3, 4, 5, 6}, {13, 14, 15, 16}, {0, 1, 2}, {17, 18, 19}};
+  for(std::size_t k = 0; k < points.size(); ++k) {
+    Surface_soup soup = soup_of(20, FIVE_COMPONENTS);
+    const Conditioning_report report = condition_soup(soup, component(k));
+    CHECK(report.components == 5);
+    CHECK(report.component == k);
+    CHECK(report.faces_dropped == 9 - soup.faces.size());
+    CHECK(report.vertices_dropped == 20 - points[k].size());
+    REQUIRE(soup.points.size() == points[k].size());
+    for(std::size_t v = 0; v < soup.points.size(); ++v) {
+      CHECK(soup.points[v].x() == double(points[k][v]));
+      CHECK(report.new_index[points[k][v]] == v);
+    }
+  }
+  CHECK_THAT(refusal(soup_of(20, FIVE_COMPONENTS), SMP::ERROR_WRONG_PARAMETER, component(5)),
+             Contains("no component 5: the surface has 5"));
+}
+
+TEST_CASE("what is wrong with other components does not matter, what is wrong with the chosen one has its old number")
+{
+  Faces faces = FIVE_COMPONENTS;
+  faces[7][0] = faces[7][1]; // repeats a vertex
+  faces.insert(faces.end(),
+               {{17, 18, 12}, {17, 18, 0}}); // a non-manifold edge, which also joins the first and the last
+  Surface_soup soup = soup_of(20, faces);
+  CHECK(condition_soup(soup, component(2)).faces_dropped == 9);
+  CHECK_THAT(refusal(soup_of(20, faces), SMP::ERROR_NO_TOPOLOGICAL_DISC, component(1)),
+             Contains("1 non-manifold edge (vertices 17 and 18)"));
+  faces = {{0, 1, 2}, {3, 4, 5}, {5, 4, 6}, {6, 4, 4}};
+  CHECK_THAT(refusal(soup_of(7, faces), SMP::ERROR_NON_TRIANGULAR_MESH, component(0)),
+             Contains("1 face that repeats a vertex (face 3)"));
+}
+
+TEST_CASE("surfaces that touch in a vertex are components, of which one can be chosen")
+{
+  Surface_soup soup = soup_of(5, {{0, 1, 2}, {2, 3, 4}});
+  CHECK(condition_soup(soup, component(1)).components == 2);
+  CHECK(soup.points.size() == 3);
+}
+
+TEST_CASE("polygons are split without new vertices, in their place, and oriented with their neighbors")
+{
+  // a quadrilateral, a triangle that is turned, a pentagon with a reflex corner
+  Surface_soup soup{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1.5, 1.125, 0}, {0, 2, 0}},
+                    {{0, 1, 4, 3}, {1, 4, 5}, {1, 2, 5}, {3, 4, 5, 6, 7}}};
+  const std::vector<Eigen::Vector3d> points = soup.points;
+  const Conditioning_report report = condition_soup(soup, triangulation());
+  CHECK(report.polygons_triangulated == 2);
+  CHECK(report.faces_reoriented == 1);
+  CHECK(soup.points == points);
+  REQUIRE(soup.faces.size() == 2 + 1 + 1 + 3);
+  CHECK(soup.faces[2] == std::vector<std::size_t>{5, 4, 1});
+  CHECK(is_oriented(soup));
+  double area = 0;
+  for(const auto& face : soup.faces) { // in the plane, counter-clockwise: the reflex corner is not cut off
+    REQUIRE(face.size() == 3);
+    const Eigen::Vector3d a = points[face[1]] - points[face[0]], b = points[face[2]] - points[face[0]];
+    CHECK(a.cross(b).z() > 0);
+    area += a.cross(b).z() / 2;
+  }
+  CHECK(area == Approx(2 + 0.875));
+}
+
+TEST_CASE("polygons that have no triangulation are refused by their numbers")
+{
+  Surface_soup flat = soup_of(8, {{0, 1, 2}, {0, 2, 3, 4}}); // on a line
+  CHECK_THAT(refusal(flat, SMP::ERROR_NON_TRIANGULAR_MESH, triangulation()),
+             Contains("1 polygon cannot be split into triangles (face 1)"));
+  CHECK_THAT(refusal(soup_of(5, {{0, 1, 2, 3}, {2, 1, 4, 2}}), SMP::ERROR_NON_TRIANGULAR_MESH, triangulation()),
+             Contains("1 face that repeats a vertex (face 1)"));
+  CHECK_THAT(refusal(soup_of(4, Faces(9, {0, 1, 2, 3})), SMP::ERROR_NON_TRIANGULAR_MESH), Contains("--triangulate"));
 }

@@ -11,8 +11,7 @@
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using Catch::Matchers::Contains;
-using CGAL_ext::internal::Patch;
-using CGAL_ext::internal::Unmappable;
+using namespace CGAL_ext::internal;
 
 namespace {
 
@@ -117,24 +116,12 @@ TEST_CASE("a patch is refused with the place named")
     CHECK(refusal(mesh, message) == SMP::ERROR_WRONG_PARAMETER);
     CHECK_THAT(message, Contains("vertex 7 "));
   }
-  SECTION("a face without area")
+  SECTION("all faces without area")
   {
-    // the centre vertex 12 is put onto the middle of the edge opposite to it in the first face around it
-    const auto face = std::find_if(mesh.triangles.begin(), mesh.triangles.end(),
-                                   [](const auto& t) { return t[0] == 12 || t[1] == 12 || t[2] == 12; });
-    Eigen::Vector3d sum(0, 0, 0);
-    for(int v : *face)
-      sum += v == 12 ? Eigen::Vector3d(0, 0, 0) : mesh.points[v];
-    mesh.points[12] = sum / 2;
+    for(auto& p : mesh.points)
+      p = {p.x(), 2 * p.x(), 3 * p.x()};
     CHECK(refusal(mesh, message) == SMP::ERROR_NO_1_TO_1_MAPPING);
-    CHECK_THAT(message, Contains("1 faces") && Contains("face " + std::to_string(face - mesh.triangles.begin())));
-  }
-  SECTION("a border edge without length")
-  {
-    mesh.points[mesh.border[3]] = mesh.points[mesh.border[2]];
-    CHECK(refusal(mesh, message) == SMP::ERROR_BORDER_TOO_SHORT);
-    CHECK_THAT(message, Contains("vertex " + std::to_string(mesh.border[2]) + " to vertex " +
-                                 std::to_string(mesh.border[3]) + " has no length"));
+    CHECK_THAT(message, Contains("all of its 32 faces are without area"));
   }
   SECTION("a surface in one point")
   {
@@ -153,5 +140,64 @@ TEST_CASE("a patch is refused with the place named")
   {
     CHECK(refusal({}, message) == SMP::ERROR_EMPTY_MESH);
     CHECK_THAT(message, Contains("no faces"));
+  }
+}
+
+namespace {
+
+/// squared lengths of the sides of a laid out triangle, side k opposite to corner k
+std::array<double, 3> squared_sides(const Flat_triangle& t)
+{
+  return {(t.x2 - t.x1) * (t.x2 - t.x1) + t.y2 * t.y2, t.x2 * t.x2 + t.y2 * t.y2, t.x1 * t.x1};
+}
+
+} // namespace
+
+TEST_CASE("a triangle without area is laid out with the least height over its longest side")
+{
+  const double h = 0.01;
+  const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {1, 0, 0}, {0.25, 0, 0}};
+  std::array<int, 3> order{0, 1, 2};
+  do { // whichever corner comes first
+    std::array<Eigen::Vector3d, 3> q{points[order[0]], points[order[1]], points[order[2]]};
+    const Flat_triangle shape = widened(q[0], q[1], q[2], h);
+    CHECK(shape.x1 > 0);
+    CHECK(shape.area() == Approx(h / 2));
+    const auto sides = squared_sides(shape);
+    for(int k = 0; k < 3; ++k) {
+      const double base = (q[(k + 1) % 3] - q[(k + 2) % 3]).squaredNorm();
+      CHECK(sides[k] == Approx(base == 1 ? 1 : base + h * h));
+    }
+  } while(std::next_permutation(order.begin(), order.end()));
+
+  const Flat_triangle needle = widened(points[0], points[1], points[1], h); // two corners in one place
+  CHECK(needle.area() == Approx(h / 2));
+  CHECK(squared_sides(needle)[0] == Approx(h * h));
+  const Flat_triangle dot = widened(points[1], points[1], points[1], h); // all three
+  CHECK(dot.area() == Approx(h * h / 2));
+  CHECK(squared_sides(dot)[1] == Approx(squared_sides(dot)[2]));
+}
+
+TEST_CASE("faces without area and border edges without length get the least length, points stay")
+{
+  Flat_mesh mesh = unit_square(4);
+  const auto ends = [&](int k) { return std::make_pair(mesh.border[k], mesh.border[k + 1]); };
+  mesh.points[ends(2).second] = mesh.points[ends(2).first];
+  mesh.points[12] = mesh.points[13];
+  const Patch patch = make_patch_of(mesh);
+  CHECK(patch.degenerate_faces.size() == 3); // one at the border edge, two at the edge from 12 to 13
+  CHECK(total_area(patch) == Approx(1));
+  CHECK(patch.border_lengths[2] == LEAST_LENGTH);
+  CHECK(patch.points[12] == patch.points[13]);
+  const std::vector<Flat_triangle> given = shapes_as_given(patch);
+  for(int f = 0; f < patch.number_of_faces(); ++f) {
+    const bool is_degenerate = std::binary_search(patch.degenerate_faces.begin(), patch.degenerate_faces.end(), f);
+    CHECK((given[f].area() == 0) == is_degenerate);
+    const auto sides = squared_sides(patch.shapes[f]);
+    const double longest = std::sqrt(*std::max_element(sides.begin(), sides.end()));
+    if(is_degenerate)
+      CHECK(2 * patch.shapes[f].area() / longest == Approx(LEAST_LENGTH).epsilon(1e-3));
+    else
+      CHECK(2 * patch.shapes[f].area() / longest > 10 * LEAST_LENGTH);
   }
 }

@@ -21,8 +21,8 @@ namespace CGAL_ext {
 ///
 /// `parameterize()` returns
 /// - `OK`,
-/// - `ERROR_NO_1_TO_1_MAPPING` when no candidate has a one-to-one map, or a face has no area,
-/// - `ERROR_BORDER_TOO_SHORT` when the border has fewer than four vertices, or an edge of no length,
+/// - `ERROR_NO_1_TO_1_MAPPING` when no candidate has a one-to-one map, or no face has an area,
+/// - `ERROR_BORDER_TOO_SHORT` when the border has fewer than four vertices,
 /// - `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_TOPOLOGICAL_DISC` when the connected component at the border halfedge is
 ///   not a triangulated disk,
 /// - `ERROR_WRONG_PARAMETER` when a coordinate is not finite or a number of the objective is out of range.

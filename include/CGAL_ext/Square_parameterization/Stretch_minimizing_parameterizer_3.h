@@ -36,8 +36,8 @@ namespace CGAL_ext {
 /// mirrors the border, as CGAL's square borders do, the map is mirrored.
 ///
 /// `parameterize()` returns `OK`, an error of the border parameterizer, `ERROR_NON_CONVEX_BORDER`,
-/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` (with a border that does not search), `ERROR_NO_1_TO_1_MAPPING` (also when a face
-/// has no area), `ERROR_BORDER_TOO_SHORT` for fewer than four border vertices or a border edge of no length,
+/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` (with a border that does not search), `ERROR_NO_1_TO_1_MAPPING` (also when no
+/// face has an area), `ERROR_BORDER_TOO_SHORT` for fewer than four border vertices,
 /// `ERROR_NON_TRIANGULAR_MESH` or `ERROR_NO_TOPOLOGICAL_DISC` when the connected component at the border halfedge is
 /// not a triangulated disk, or `ERROR_WRONG_PARAMETER` when a coordinate is not finite or `eta` is out of range. The uv
 /// map is written only on `OK`, but for border vertices when the border parameterizer does not search.

@@ -60,6 +60,9 @@ struct Square_map_result
   Minimization_report minimization;       ///< iterations of the delivered map
   Stretch_measures measures;              ///< of the delivered map
   std::size_t border_edges = 0;           ///< number of edges of the border
+  /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as 1e-4
+  /// sqrt(area); the measures take them as they are.
+  std::size_t degenerate_faces = 0;
   double condition_seconds = 0;           ///< splitting chords, reading the mesh and the first factorization
   double search_seconds = 0;              ///< mapping all candidates
 };
@@ -214,6 +217,7 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     result.search = outcome.report;
     result.minimization = outcome.map.report;
     result.border_edges = patch.border.size();
+    result.degenerate_faces = patch.degenerate_faces.size();
     if(options.search_options.visitor != nullptr)
       options.search_options.visitor->end_minimization(outcome.map.report);
     if(outcome.report.best_candidate < 0)
@@ -221,7 +225,7 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
                                                                    " evaluated candidates has a one-to-one map");
     for(int k : outcome.report.corners)
       result.corners.push_back(vertex_list[patch.border[k]]);
-    result.measures = internal::measure(patch.shapes, patch.triangles, outcome.map.uv);
+    result.measures = internal::measure(internal::shapes_as_given(patch), patch.triangles, outcome.map.uv);
     internal::write_uv(
         vertex_list, outcome.map.uv, uvmap,
         CGAL::Constant_property_map<typename Square_map_result<TriangleMesh>::vertex_descriptor, bool>());

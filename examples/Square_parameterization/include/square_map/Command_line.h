@@ -46,6 +46,7 @@ struct Command_line
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
   bool is_quiet = false;
   CGAL_ext::Square_map_options options;
+  CGAL_ext::internal::Conditioning_options conditioning_options;
   CGAL_ext::Cut_options cut_options;
 };
 
@@ -123,6 +124,18 @@ inline std::array<std::size_t, 4> parse_corners(const std::string& text)
   return corners;
 }
 
+/// the number of a component, by size: a number from 0, or the word largest
+inline std::size_t parse_component(const std::string& text)
+{
+  if(text == "largest")
+    return 0;
+  std::istringstream stream(text);
+  std::size_t component = 0;
+  if(!std::isdigit(stream.peek()) || !(stream >> component) || stream.peek() != EOF)
+    throw Usage_error("--component is 'largest' or a number counted from 0; not '" + text + "'");
+  return component;
+}
+
 inline void check_outputs(const Command_line& line)
 {
   namespace fs = std::filesystem;
@@ -148,7 +161,7 @@ inline Command_line parse_command_line(int argc, char** argv)
 {
   namespace po = boost::program_options;
   Command_line line;
-  std::string weights_name, rule, walk, preset, corners, border, cut;
+  std::string weights_name, rule, walk, preset, corners, border, cut, component;
   double eta = 0, balance = 0;
   int patience = 0, threads = 0;
   Tuning tuning;
@@ -165,6 +178,9 @@ inline Command_line parse_command_line(int argc, char** argv)
       "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
   add("border", po::value(&border)->value_name("NAME"),
       "fixed or sliding; default fixed for iterative, sliding for optimal");
+  add("component", po::value(&component)->value_name("K"),
+      "map one connected component: largest, or a number; 0 has most faces, ties go to the first face");
+  add("triangulate", po::bool_switch(&line.conditioning_options.triangulate), "split faces that are no triangles");
   add("cut", po::value(&cut)->value_name("NAME"),
       "how a surface that is not a disk is cut: best (default): for little stretch; shortest; none: it is refused");
   add("cut-weight", po::value(&line.cut_options.cut_weight)->value_name("X"),
@@ -254,6 +270,8 @@ inline Command_line parse_command_line(int argc, char** argv)
     else if(motion == Border_motion::SLIDING)
       throw Usage_error("--border sliding goes with --minimizer optimal");
   }
+  if(is_given("component"))
+    line.conditioning_options.component = parse_component(component);
   if(is_given("cut")) {
     using CGAL_ext::Cut_mode;
     line.cut_options.mode = named<Cut_mode>(
@@ -261,6 +279,8 @@ inline Command_line parse_command_line(int argc, char** argv)
   }
   if(options.balanced)
     line.cut_options.balance = options.balanced->balance;
+  if(line.cut_options.mode != CGAL_ext::Cut_mode::NONE || !line.seams.empty())
+    line.conditioning_options.topology = CGAL_ext::internal::Topology::CONNECTED;
   if(!line.cut_options.is_valid())
     throw Usage_error("--cut-weight and --max-cut-length must not be negative");
   options.search = named(strategies(tuning), "strategy", line.strategy);

@@ -105,7 +105,7 @@ inline std::vector<std::array<int, 2>> read_seams(const std::string& path,
       if(ends[k] < 0 || static_cast<std::size_t>(ends[k]) >= conditioning.new_index.size() ||
          conditioning.new_index[ends[k]] == Conditioning_report::DROPPED)
         throw Malformed_file("'" + path + "' is malformed: line " + std::to_string(line_number) + " names vertex " +
-                             std::to_string(ends[k]) + ", which no face has");
+                             std::to_string(ends[k]) + ", which no mapped face has");
       seam[k] = static_cast<int>(conditioning.new_index[ends[k]]);
     }
     seams.push_back(seam);

@@ -40,7 +40,12 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                          {"seam_edges", cut.seam_edges},
                          {"cut_length", cut.cut_length},
                          {"chords_split", result.chords_split},
+                         {"degenerate_faces", result.degenerate_faces},
+                         {"components", conditioning.components},
+                         {"component", conditioning.component},
                          {"vertices_dropped", conditioning.vertices_dropped},
+                         {"faces_dropped", conditioning.faces_dropped},
+                         {"polygons_triangulated", conditioning.polygons_triangulated},
                          {"faces_reoriented", conditioning.faces_reoriented}};
   static const char* const step_names[] = {"initial", "added", "dropped", "moved"};
   json["cut"] = {{"decision_faces", cut.decision_faces}, {"history", nlohmann::ordered_json::array()}};

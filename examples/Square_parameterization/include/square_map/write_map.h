@@ -30,7 +30,8 @@ inline std::string extension_of(const std::string& path)
 }
 
 /// Wavefront OBJ: one texture vertex per vertex of the cut mesh, faces `v/vt`. The vertices are those of the uncut
-/// surface, in their order, followed by the midpoints of split chords: a seam parts texture vertices alone.
+/// surface, in their order, followed by the midpoints of split chords: a seam parts texture vertices alone. Vertices
+/// without a face, and those of components that are not mapped, are left out.
 /// \param originals per vertex of the cut mesh, the vertex of the uncut one; vertices beyond are midpoints
 inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv, const std::vector<int>& originals)
 {

@@ -119,12 +119,18 @@ public:
   }
 
 private:
+  /// the map, repaired where rounding has left triangles flat or flipped; without uv when that fails
   Minimized_map if_one_to_one(Minimized_map map) const
   {
-    if(map.uv.rows() > 0 && number_of_flipped_faces(m_patch.triangles, map.uv) > 0) {
+    if(map.uv.rows() == 0 || number_of_flipped_faces(m_patch.triangles, map.uv) == 0)
+      return map;
+    Minimization_report& report = map.report;
+    report.l2 = report.objective = std::numeric_limits<double>::infinity();
+    if(repair_flips(m_patch, map.uv)) {
+      report.l2 = std::sqrt(stretch_energy(m_patch, map.uv));
+      report.objective = m_balanced ? m_balanced->energy(map.uv) : report.l2;
+    } else
       map.uv.resize(0, 2);
-      map.report.l2 = map.report.objective = std::numeric_limits<double>::infinity();
-    }
     return map;
   }
 

@@ -99,6 +99,12 @@ public:
     return map;
   }
 
+  /// what is minimised, of a map
+  double energy(const Uv_coordinates& uv) const
+  {
+    return Balanced_energy(m_minimizers[0]->patch(), m_options.balance)(uv);
+  }
+
 private:
   // pure L2 stretch tears coarse maps open elsewhere than fine ones; a little balance keeps them alike
   static constexpr double LEAST_COARSE_BALANCE = 0.1;

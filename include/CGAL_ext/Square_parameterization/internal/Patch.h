@@ -4,9 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_H
 
+#include <CGAL_ext/Square_parameterization/internal/Flat_triangle.h>
 #include <CGAL_ext/Square_parameterization/internal/Unmappable.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -22,18 +21,10 @@ namespace internal {
 /// uv coordinates, #V by 2: row `v` is the image of vertex `v`
 using Uv_coordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-/// a triangle laid into its own plane, counter-clockwise, with corners (0, 0), (`x1`, 0) and (`x2`, `y2`);
-/// `x1` and `y2` are positive
-struct Flat_triangle
-{
-  double x1, x2, y2;
-
-  double area() const { return x1 * y2 / 2; }
-};
-
 /// a topological disk as flat arrays: the form in which everything below the plug-ins sees a mesh.
 ///
-/// Lengths are scaled so that the area of the patch is 1, the area of the square it will be mapped to.
+/// Lengths are scaled so that the area of the patch is 1, the area of the square it will be mapped to. A
+/// degenerate face counts with the shape that `widened()` gives it, as short a border edge as `LEAST_LENGTH` long.
 struct Patch
 {
   std::vector<Eigen::Vector3d> points;            ///< #V
@@ -45,6 +36,9 @@ struct Patch
   std::vector<std::array<int, 3>> triangle_edges; ///< #F, edge k is opposite to corner k
   std::vector<std::array<int, 2>> chords;         ///< interior edges between two border vertices
   std::vector<double> vertex_areas;               ///< #V, area of the incident triangles
+  std::vector<int> degenerate_faces;              ///< lower than `least_height`, ascending
+  double least_height = 0; ///< `DEGENERATE_HEIGHT`, or more where coordinates carry less information
+  double rounding = 0;     ///< length below which the points carry no information
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_faces() const { return static_cast<int>(triangles.size()); }
@@ -72,24 +66,6 @@ inline double normalise_coordinates(std::vector<Eigen::Vector3d>& points)
   for(Eigen::Vector3d& p : points)
     p = (p - center).unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
   return 2 * std::numeric_limits<double>::epsilon() * std::ldexp(largest, exponent);
-}
-
-/// lays triangle `pqr` into the plane; a height or a base that is lost in the rounding of the coordinates gives an
-/// `y2` of zero
-inline Flat_triangle flatten(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r,
-                             double least_length)
-{
-  const Eigen::Vector3d a = q - p, b = r - p;
-  const double x1 = a.norm();
-  if(!(x1 > least_length))
-    return {x1, 0, 0};
-  const Eigen::Vector3d axis = a / x1;
-  // the height is taken over the longest side: over a short side rounding would look like a height
-  const double twice_area = a.cross(b).norm();
-  const double longest = (std::max)({x1, b.norm(), (r - q).norm()});
-  if(!(twice_area > least_length * longest))
-    return {x1, axis.dot(b), 0};
-  return {x1, axis.dot(b), twice_area / x1};
 }
 
 /// fills `edges`, `triangle_edges` and `chords` of a patch whose triangles and border are set
@@ -138,11 +114,77 @@ inline void number_edges(Patch& patch)
   }
 }
 
+/// lays a triangle between points of the patch into the plane; see `widened()` for a degenerate one
+inline Flat_triangle shape_between(const Patch& patch, int a, int b, int c)
+{
+  const Eigen::Vector3d &p = patch.points[a], &q = patch.points[b], &r = patch.points[c];
+  const Flat_triangle shape = flatten(p, q, r, patch.least_height);
+  return shape.y2 > 0 ? shape : widened(p, q, r, LEAST_LENGTH);
+}
+
+/// the shapes of the faces as their points have them: some have no area
+inline std::vector<Flat_triangle> shapes_as_given(const Patch& patch)
+{
+  std::vector<Flat_triangle> shapes = patch.shapes;
+  for(int f : patch.degenerate_faces) {
+    const auto& [a, b, c] = patch.triangles[f];
+    shapes[f] = flatten(patch.points[a], patch.points[b], patch.points[c], patch.rounding);
+  }
+  return shapes;
+}
+
+/// the surface has no shape that could be mapped
+[[noreturn]] inline void refuse_without_extent(std::size_t faces)
+{
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
+                   "the surface has no extent: all of its " + std::to_string(faces) + " faces are without area");
+}
+
+/// multiplies all lengths
+inline void scale_patch(double scale, Patch& patch)
+{
+  for(Eigen::Vector3d& p : patch.points)
+    p *= scale;
+  for(Flat_triangle& shape : patch.shapes)
+    shape = {shape.x1 * scale, shape.x2 * scale, shape.y2 * scale};
+  patch.rounding *= scale;
+  patch.least_height *= scale;
+}
+
+/// fills the shapes and the degenerate faces of a patch whose points are normalised, and scales it to area 1
+inline void measure_faces(Patch& patch)
+{
+  double area = 0;
+  for(const auto& [a, b, c] : patch.triangles) {
+    patch.shapes.push_back(flatten(patch.points[a], patch.points[b], patch.points[c], patch.rounding));
+    area += patch.shapes.back().area();
+  }
+  if(!(area > 0))
+    refuse_without_extent(patch.triangles.size());
+  scale_patch(1 / std::sqrt(area), patch);
+  patch.least_height = (std::max)(DEGENERATE_HEIGHT, patch.rounding);
+  for(int f = 0; f < patch.number_of_faces(); ++f) {
+    const auto& [a, b, c] = patch.triangles[f];
+    if(flatten(patch.points[a], patch.points[b], patch.points[c], patch.least_height).y2 == 0)
+      patch.degenerate_faces.push_back(f);
+  }
+  if(patch.degenerate_faces.empty())
+    return;
+  area = 1;
+  for(int f : patch.degenerate_faces) {
+    const auto& [a, b, c] = patch.triangles[f];
+    area -= patch.shapes[f].area();
+    patch.shapes[f] = widened(patch.points[a], patch.points[b], patch.points[c], LEAST_LENGTH);
+    area += patch.shapes[f].area();
+  }
+  scale_patch(1 / std::sqrt(area), patch);
+}
+
 /// makes a patch of a disk: \p points #V, \p triangles #F, consistently oriented, \p border its vertices
 /// counter-clockwise. Every vertex must belong to a triangle.
 ///
-/// Throws `Unmappable` when the border has fewer than four vertices, or a coordinate is not finite, or a triangle or a
-/// border edge is so small that its size is lost in the rounding of the coordinates.
+/// Throws `Unmappable` when the border has fewer than four vertices, or a coordinate is not finite, or all triangles
+/// are so thin that their size is lost in the rounding of the coordinates.
 /// Complexity: linear but for the sorting of the edges at a vertex.
 inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
                         std::vector<int> border)
@@ -157,42 +199,17 @@ inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::ar
   patch.points = std::move(points);
   patch.triangles = std::move(triangles);
   patch.border = std::move(border);
-  const double least_length = normalise_coordinates(patch.points);
-
+  patch.rounding = normalise_coordinates(patch.points);
+  measure_faces(patch);
   for(std::size_t k = 0; k < patch.border.size(); ++k) {
     const int from = patch.border[k], to = patch.border[(k + 1) % patch.border.size()];
-    patch.border_lengths.push_back((patch.points[to] - patch.points[from]).norm());
-    if(!(patch.border_lengths.back() > least_length))
-      throw Unmappable(SMP::ERROR_BORDER_TOO_SHORT, "the border edge from vertex " + std::to_string(from) +
-                                                        " to vertex " + std::to_string(to) + " has no length");
+    const double length = (patch.points[to] - patch.points[from]).norm();
+    patch.border_lengths.push_back(length > patch.least_height ? length : LEAST_LENGTH);
   }
-  patch.shapes.reserve(patch.triangles.size());
-  double area = 0;
-  std::size_t flat_faces = 0, first_flat_face = 0;
-  for(std::size_t f = 0; f < patch.triangles.size(); ++f) {
-    const auto& [a, b, c] = patch.triangles[f];
-    patch.shapes.push_back(flatten(patch.points[a], patch.points[b], patch.points[c], least_length));
-    area += patch.shapes.back().area();
-    if(patch.shapes.back().y2 == 0 && flat_faces++ == 0)
-      first_flat_face = f;
-  }
-  if(flat_faces > 0)
-    throw Unmappable(SMP::ERROR_NO_1_TO_1_MAPPING, std::to_string(flat_faces) +
-                                                       " faces have no area; the first is face " +
-                                                       std::to_string(first_flat_face));
-
-  const double scale = 1 / std::sqrt(area);
-  for(Eigen::Vector3d& p : patch.points)
-    p *= scale;
   patch.vertex_areas.assign(patch.points.size(), 0.);
-  for(std::size_t f = 0; f < patch.triangles.size(); ++f) {
-    Flat_triangle& shape = patch.shapes[f];
-    shape = {shape.x1 * scale, shape.x2 * scale, shape.y2 * scale};
+  for(int f = 0; f < patch.number_of_faces(); ++f)
     for(int v : patch.triangles[f])
-      patch.vertex_areas[v] += shape.area();
-  }
-  for(double& length : patch.border_lengths)
-    length *= scale;
+      patch.vertex_areas[v] += patch.shapes[f].area();
   number_edges(patch);
   return patch;
 }

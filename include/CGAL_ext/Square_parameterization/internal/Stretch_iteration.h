@@ -6,7 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/Convex_combination_system.h>
 #include <CGAL_ext/Square_parameterization/internal/Minimized_map.h>
-#include <CGAL_ext/Square_parameterization/internal/stretch_kernel.h>
+#include <CGAL_ext/Square_parameterization/internal/repair_flips.h>
 
 #include <limits>
 #include <memory>
@@ -61,7 +61,8 @@ public:
   ///
   /// Solves with the base weights; then divides the weight of neighbor j by sigma_j^eta, sigma from the current map,
   /// and solves again (see `exponent()`). Keeps the iterate of least stretch; stops after `patience` + 1 iterates in a row that are not
-  /// lower than it (Yoshizawa et al. stop at the first).
+  /// lower than it (Yoshizawa et al. stop at the first). Triangles that rounding has left flat or flipped in the first
+  /// map are repaired.
   /// \param uv_area area inside the border: the stretch is normalised by it
   Minimized_map minimize(const Uv_coordinates& border_uv, double uv_area, Workspace& workspace) const
   {
@@ -81,7 +82,9 @@ public:
         return best;
       }
       m_system.compose(workspace.solution, border_uv, workspace.uv);
-      const double l2 = std::sqrt(stretch_energy(m_patch, workspace.uv, workspace.sigma) * uv_area);
+      double l2 = std::sqrt(stretch_energy(m_patch, workspace.uv, workspace.sigma) * uv_area);
+      if(report.history.empty() && !std::isfinite(l2) && repair_flips(m_patch, workspace.uv))
+        l2 = std::sqrt(stretch_energy(m_patch, workspace.uv, workspace.sigma) * uv_area);
       report.history.push_back(l2);
       if(l2 < report.l2) {
         report.l2 = report.objective = l2;

@@ -41,21 +41,21 @@ private:
   std::vector<std::size_t> m_parent;
 };
 
-/// a side of a triangle: `corner` begins it, in the orientation of the face
+/// a side of a face: `corner` begins it, in the orientation of the face
 struct Soup_side
 {
   std::size_t low, high, face;
   int corner;
 };
 
-/// the sides of all triangles, those of one edge together
+/// the sides of all faces, those of one edge together
 inline std::vector<Soup_side> sides_by_edge(const std::vector<std::vector<std::size_t>>& faces)
 {
   std::vector<Soup_side> sides;
   for(std::size_t f = 0; f < faces.size(); ++f)
-    for(int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % 3]);
-      sides.push_back({low, high, f, k});
+    for(std::size_t k = 0; k < faces[f].size(); ++k) {
+      const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % faces[f].size()]);
+      sides.push_back({low, high, f, static_cast<int>(k)});
     }
   std::sort(sides.begin(), sides.end(), [](const Soup_side& a, const Soup_side& b) {
     return std::tie(a.low, a.high, a.face, a.corner) < std::tie(b.low, b.high, b.face, b.corner);

@@ -74,7 +74,7 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
       const int a = ring[i], b = ring[(i + 1) % ring.size()];
       ring_uv.push_back(uv.row(a));
       position += uv.row(a) / ring.size();
-      const Flat_triangle shape = flatten(fine.points[removal->vertex], fine.points[a], fine.points[b], 0);
+      const Flat_triangle shape = shape_between(fine, removal->vertex, a, b);
       star.add(corner_shape(shape, 0), uv.row(a), uv.row(b));
     }
     if(!std::isfinite(star.energy(position))) {

@@ -148,7 +148,7 @@ TEST_CASE("an iteration that starts with a map lost in rounding goes on from the
   const Square_border border =
       square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), {0, 8, 16, 24});
   const Map_minimizer minimizer = options.make_minimizer(patch);
-  const Minimized_map map = minimizer.make_worker()(border.uv);
+  const Minimized_map map = minimizer.make_worker()(border.uv, nullptr);
   REQUIRE(map.uv.rows() == patch.number_of_vertices());
   CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
   CHECK(std::isfinite(map.report.l2));

@@ -42,6 +42,12 @@ TEST_CASE("random surfaces with holes, handles, chords and faces without area ar
   check_seeds(0, 300);
 }
 
+TEST_CASE("surfaces with faces a rounding error high, of which maps were once lost or infinite, are mapped")
+{
+  for(unsigned int seed : {1434u, 1962u})
+    CHECK(map_random_bytes(seed) == Outcome::ONE_TO_ONE);
+}
+
 TEST_CASE("many random surfaces are mapped one-to-one or refused", "[.long]")
 {
   check_seeds(300, 20000);

@@ -16,7 +16,7 @@ struct Cut_step
 {
   enum Kind
   {
-    INITIAL, ///< the best of the cuts that the topology needs
+    INITIAL, ///< the best of the cuts to begin with: those that the topology needs; later, those that were grown
     ADDED,   ///< the cut was extended to a terminal
     DROPPED, ///< the cut was freed from a terminal
     MOVED    ///< a terminal of the cut gave way to another

@@ -63,23 +63,34 @@ inline Cut shortest_cut(const Triangle_surface& surface)
                            [&surface](const Cut& a, const Cut& b) { return a.length(surface) < b.length(surface); });
 }
 
-/// a cut that leaves little stretch. Large surfaces are decided on by a simplified copy: what a finer one would tell
-/// more is less than what more trials find in the same time.
+/// a copy of about \p faces triangles; nothing when the surface has hardly more, or cannot be simplified
+inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces)
+{
+  return surface.number_of_faces() > 5 * faces / 4 ? decimate_surface(surface, faces) : std::nullopt;
+}
+
+/// a cut that leaves little stretch. Large surfaces are decided on by a simplified copy; a cut that was grown on a still
+/// simpler one competes there, for growth ends in one of many local minima.
 inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options, Cut_report& report)
 {
-  constexpr int DECISION_FACES = 800;
-  constexpr double LEAST_BALANCE = 0.1; // with less, a few Newton steps do not tell cuts apart: the map tears
+  constexpr int DECISION_FACES = 1200, SIMPLER_FACES = 700;
   Cut_growth_options growth;
   growth.scoring.cut_weight = options.cut_weight;
-  growth.scoring.balance = (std::max)(options.balance, LEAST_BALANCE);
+  growth.scoring.balance = options.balance;
   growth.max_cut_length = options.max_cut_length;
-  if(surface.number_of_faces() > 3 * DECISION_FACES / 2)
-    if(const auto simplified = decimate_surface(surface, DECISION_FACES)) {
-      report.decision_faces = simplified->number_of_faces();
-      return lift_cut(*simplified, Cut_growth(*simplified, growth, report)().cut, surface);
-    }
-  report.decision_faces = surface.number_of_faces();
-  return Cut_growth(surface, growth, report)().cut;
+
+  const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
+  const Triangle_surface& decided = copy ? *copy : surface;
+  report.decision_faces = decided.number_of_faces();
+  Cut_growth decision(decided, growth, report);
+  std::vector<Cut> cuts{decision.grow(rerouted_initial_cuts(decided, growth.roots))};
+  if(const std::optional<Triangle_surface> simpler = simplified_copy(decided, SIMPLER_FACES)) {
+    Cut_report ignored;
+    Cut_growth simpler_decision(*simpler, growth, ignored);
+    cuts.push_back(lift_cut(*simpler, simpler_decision.grow(rerouted_initial_cuts(*simpler, growth.roots)), decided));
+  }
+  const Cut best = decision.polish(std::move(cuts));
+  return copy ? lift_cut(*copy, best, surface) : best;
 }
 
 /// decides how the surface is cut to a disk: along the given seams and what they lack, or by the mode of the options.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -31,12 +32,9 @@ struct Cut_growth_options
   Cut_score_options scoring;
   double max_cut_length = std::numeric_limits<double>::infinity(); ///< in units of sqrt(area)
   int maximum_additions = 10;
-  int patience = 3;         ///< additions in a row that may fail to lower the score
-  int farthest_points = 10; ///< candidates of each kind, per addition
-  int stretch_maxima = 10;
-  int quick_corner_candidates = 4, quick_steps = 2; ///< of the score that picks finalists
-  int finalists = 8;
-  int rounds_of_moves = 3;
+  int patience = 3;   ///< additions in a row that may fail to lower the score
+  int candidates = 5; ///< farthest points, and as many stretch maxima, for a terminal that is added or moved
+  int rounds_of_moves = 2;
   int roots = 12; ///< trees tried on a closed surface with handles
 };
 
@@ -104,7 +102,7 @@ inline std::vector<Cut> rerouted_initial_cuts(const Triangle_surface& surface, i
   return cuts;
 }
 
-/// decides on a cut: the best of the initial ones, then terminals are added, dropped and moved while that pays
+/// decides on a cut of one surface: terminals are added, dropped and moved while that pays. Every cut is scored once.
 class Cut_growth
 {
 public:
@@ -112,18 +110,22 @@ public:
     : m_surface(surface), m_options(options), m_report(report)
   {}
 
-  Scored_cut operator()()
+  /// the best cut met on the way from the best of \p starts to long cuts, and back
+  Cut grow(std::vector<Cut> starts)
   {
-    std::vector<Trial> trials;
-    for(Cut& cut : rerouted_initial_cuts(m_surface, m_options.roots))
-      trials.push_back({std::move(cut), -1});
-    Scored_cut best = best_of(std::move(trials));
-    record(Cut_step::INITIAL, best);
+    Scored_cut best = best_start(std::move(starts));
     Scored_cut overgrown = add_terminals(best);
     drop_terminals(std::move(overgrown), best);
+    return best.cut;
+  }
+
+  /// the best of \p cuts with its terminals moved and without those that no longer pay
+  Cut polish(std::vector<Cut> cuts)
+  {
+    Scored_cut best = best_start(std::move(cuts));
     move_terminals(best);
     drop_terminals(best, best);
-    return best;
+    return best.cut;
   }
 
 private:
@@ -134,26 +136,33 @@ private:
     int terminal;
   };
 
-  /// the best of the cuts: all are judged quickly, the most promising ones with care; infinite when there is none
-  Scored_cut best_of(std::vector<Trial> trials) const
+  Cut_score score(const Cut& cut)
   {
-    Cut_score_options quick = m_options.scoring;
-    quick.corner_candidates = m_options.quick_corner_candidates;
-    quick.steps = m_options.quick_steps;
-    quick.refined_candidates = 1;
-    const std::size_t finalists = m_options.finalists;
-    std::vector<std::pair<double, std::size_t>> ranks;
-    for(std::size_t i = 0; i < trials.size(); ++i)
-      ranks.emplace_back(trials.size() > finalists ? score_cut(m_surface, trials[i].cut, quick).score : 0., i);
-    std::sort(ranks.begin(), ranks.end());
-    ranks.resize((std::min)(ranks.size(), finalists));
+    const auto [place, is_new] = m_scores.try_emplace(cut.edges());
+    if(is_new)
+      place->second = score_cut(m_surface, cut, m_options.scoring);
+    return place->second;
+  }
+
+  /// the best of the cuts; infinite when there is none
+  Scored_cut best_of(std::vector<Trial> trials)
+  {
     Scored_cut best{Cut(m_surface), {}, -1};
-    for(std::size_t k = 0; k < ranks.size(); ++k) {
-      Trial& trial = trials[ranks[k].second];
-      const Cut_score score = score_cut(m_surface, trial.cut, m_options.scoring);
-      if(k == 0 || score.score < best.score.score)
-        best = {std::move(trial.cut), score, trial.terminal};
+    for(Trial& trial : trials) {
+      const Cut_score trial_score = score(trial.cut);
+      if(&trial == &trials.front() || trial_score.score < best.score.score)
+        best = {std::move(trial.cut), trial_score, trial.terminal};
     }
+    return best;
+  }
+
+  Scored_cut best_start(std::vector<Cut> cuts)
+  {
+    std::vector<Trial> trials;
+    for(Cut& cut : cuts)
+      trials.push_back({std::move(cut), -1});
+    Scored_cut best = best_of(std::move(trials));
+    record(Cut_step::INITIAL, best);
     return best;
   }
 
@@ -206,8 +215,8 @@ private:
 
   std::vector<int> candidate_terminals(const Cut& cut) const
   {
-    std::vector<int> candidates = successive_farthest_points(m_surface, cut, m_options.farthest_points);
-    for(int v : circle_stretch_maxima(m_surface, cut, m_options.stretch_maxima))
+    std::vector<int> candidates = successive_farthest_points(m_surface, cut, m_options.candidates);
+    for(int v : circle_stretch_maxima(m_surface, cut, m_options.candidates))
       if(std::find(candidates.begin(), candidates.end(), v) == candidates.end())
         candidates.push_back(v);
     return candidates;
@@ -216,16 +225,22 @@ private:
   /// a sphere is not cut without two terminals
   std::size_t least_terminals() const { return m_surface.border_loops.empty() && m_surface.genus() == 0 ? 2 : 0; }
 
+  /// the best of the cuts with one terminal less
+  Scored_cut best_shorter(const Cut& cut)
+  {
+    std::vector<Trial> trials;
+    for(int terminal : cut.terminals())
+      trials.push_back({without(terminal, cut), terminal});
+    return best_of(std::move(trials));
+  }
+
   /// drops, as long as patience lasts, the terminal whose loss gives the least score; \p best becomes the best on the
   /// way
   void drop_terminals(Scored_cut current, Scored_cut& best)
   {
     int failures = 0;
     while(current.cut.terminals().size() > least_terminals() && failures < m_options.patience) {
-      std::vector<Trial> trials;
-      for(int terminal : current.cut.terminals())
-        trials.push_back({without(terminal, current.cut), terminal});
-      current = best_of(std::move(trials));
+      current = best_shorter(current.cut);
       record(Cut_step::DROPPED, current);
       failures = current.score.score < best.score.score ? 0 : failures + 1;
       if(failures == 0)
@@ -259,6 +274,7 @@ private:
   const Triangle_surface& m_surface;
   const Cut_growth_options& m_options;
   Cut_report& m_report;
+  std::map<std::vector<int>, Cut_score> m_scores; // per edges of a cut
 };
 
 } // namespace internal

@@ -22,8 +22,8 @@ struct Cut_score_options
   double balance = 0.3;     ///< of the energy that is minimised
   int corner_candidates = 8;
   int iterations = 3;         ///< of the stretch iteration, per candidate
-  int refined_candidates = 1; ///< how many of them go on
-  int steps = 12;             ///< of the balanced minimizer, of each of these
+  int refined_candidates = 2; ///< how many of them go on
+  int steps = 50;             ///< of the balanced minimizer, of each of these, at most
 };
 
 /// what a cut is worth; the lower the better
@@ -49,7 +49,7 @@ inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
 }
 
 /// the least stretch of the opened surface on the square among a few corners: all get a few cheap iterations, the most
-/// promising some steps of the balanced minimizer
+/// promising go on with the balanced minimizer
 inline double least_stretch(const Patch& patch, const Cut_score_options& options)
 {
   constexpr double TOLERANCE = 1e-3; // the score need not be better than what it decides

@@ -102,16 +102,19 @@ private:
   {
     if(m_is_border[v])
       return;
-    for(int f : m_star[v])
-      for(int w : m_triangles[f])
-        if(w != v && !m_is_border[w]) // the neighbor comes twice, and is found changed the second time
-          m_queue.push({(point(w) - point(v)).squaredNorm() * m_star[v].size(), v, w, m_changes[v]});
+    for(int f : m_star[v]) { // each neighbor is the next corner of one triangle
+      const auto& t = m_triangles[f];
+      const int w = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+      if(!m_is_border[w])
+        m_queue.push({(point(w) - point(v)).squaredNorm() * m_star[v].size(), v, w, m_changes[v]});
+    }
   }
 
   /// the neighbors of an interior vertex, counter-clockwise
-  void find_ring(int v, std::vector<int>& ring) const
+  void find_ring(int v, std::vector<int>& ring)
   {
-    std::vector<std::pair<int, int>> sides;
+    std::vector<std::pair<int, int>>& sides = m_sides;
+    sides.clear();
     for(int f : m_star[v]) {
       const auto& t = m_triangles[f];
       const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
@@ -204,7 +207,8 @@ private:
   std::vector<bool> m_is_alive;         // per triangle
   std::vector<std::vector<int>> m_star; // per vertex, its triangles
   std::vector<bool> m_is_border, m_is_removed;
-  std::vector<int> m_changes; // per vertex, how often its neighborhood has changed
+  std::vector<std::pair<int, int>> m_sides; // memory of `find_ring()`
+  std::vector<int> m_changes;               // per vertex, how often its neighborhood has changed
   std::priority_queue<Collapse, std::vector<Collapse>, std::greater<Collapse>> m_queue;
 };
 

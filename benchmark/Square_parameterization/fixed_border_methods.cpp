@@ -158,11 +158,11 @@ const std::vector<Method> methods{
     {"CGAL discrete authalic", map_by<SMP::Discrete_authalic_parameterizer_3<Mesh, CGAL_border>>},
     {"CGAL mean value", map_by<SMP::Mean_value_coordinates_parameterizer_3<Mesh, CGAL_border>>},
     {"CGAL iterative authalic", map_by_iterative_authalic},
-    {"iteration, one candidate", map_by<One_candidate>},
-    {"iteration, quarter brute f.", map_by_quarter_brute_force},
-    {"iteration, hybrid", map_by_hybrid_search},
-    {"optimal, one candidate", map_one_candidate_optimally},
-    {"optimal, default search", map_by_default}};
+    {"iteration (one candidate)", map_by<One_candidate>},
+    {"iteration (quarter br. f.)", map_by_quarter_brute_force},
+    {"iteration (hybrid)", map_by_hybrid_search},
+    {"optimal (one candidate)", map_one_candidate_optimally},
+    {"optimal (default search)", map_by_default}};
 
 constexpr std::size_t REFERENCE = 4; // the method against which seconds are compared
 

@@ -6,13 +6,12 @@
 #include "include/square_map/Output_file.h"
 #include "include/square_map/report.h"
 
-#include <CGAL_ext/Square_parameterization/internal/cut_soup.h>
-
 #include <unistd.h>
 
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <numeric>
 
 namespace {
 
@@ -47,20 +46,32 @@ private:
   double m_best = std::numeric_limits<double>::infinity();
 };
 
-/// the corners, given as vertices of the file, as vertices of the mesh; they must be on its border
-std::array<std::size_t, 4> conditioned_corners(const std::array<std::size_t, 4>& corners,
-                                               const CGAL_ext::internal::Conditioning_report& conditioning,
-                                               const Mesh& mesh)
+/// the vertex of the mesh that a vertex of the file has become; beyond all vertices when it was dropped
+std::size_t conditioned_vertex(std::size_t v, const CGAL_ext::internal::Conditioning_report& conditioning)
 {
-  using CGAL_ext::internal::Conditioning_report;
-  std::array<std::size_t, 4> result{};
-  for(int k = 0; k < 4; ++k) {
-    const std::vector<std::size_t>& new_index = conditioning.new_index;
-    result[k] = corners[k] < new_index.size() ? new_index[corners[k]] : Conditioning_report::DROPPED;
-    if(result[k] == Conditioning_report::DROPPED || !mesh.is_border(Mesh::Vertex_index(result[k])))
-      throw Usage_error("corner vertex " + std::to_string(corners[k]) + " is not on the border");
+  return v < conditioning.new_index.size() ? conditioning.new_index[v]
+                                           : CGAL_ext::internal::Conditioning_report::DROPPED;
+}
+
+/// refuses a corner, given as a vertex of the file, that is not on the border of the mesh
+void check_corners(const std::array<std::size_t, 4>& corners,
+                   const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh)
+{
+  for(std::size_t corner : corners) {
+    const std::size_t v = conditioned_vertex(corner, conditioning);
+    if(v >= mesh.number_of_vertices() || !mesh.is_border(Mesh::Vertex_index(v)))
+      throw Usage_error("corner vertex " + std::to_string(corner) + " is not on the border");
   }
-  return result;
+}
+
+/// per vertex of the uncut mesh and of the copies, the vertex of the uncut mesh
+std::vector<int> originals_of(const CGAL_ext::Square_map_result<Mesh>& result, std::size_t uncut_vertices)
+{
+  std::vector<int> originals(uncut_vertices);
+  std::iota(originals.begin(), originals.end(), 0);
+  for(const auto& [copy, original] : result.copies)
+    originals.push_back(static_cast<int>(original.idx()));
+  return originals;
 }
 
 /// conditions the soup; a component that it does not have is a matter of the command line
@@ -99,17 +110,13 @@ Exit_status run(Command_line line)
 
   const auto condition_start = Clock::now();
   const auto conditioning = condition(soup, line.conditioning_options);
-  const auto cut_start = Clock::now();
-  std::vector<std::array<int, 2>> seams;
   if(!line.seams.empty())
-    seams = read_seams(line.seams, conditioning);
-  CGAL_ext::Cut_report cut;
-  const std::vector<int> originals = CGAL_ext::internal::cut_soup(soup, seams, line.cut_options, cut);
-  seconds.cut = seconds_since(cut_start);
-  Mesh mesh = make_mesh(soup);
+    line.options.seams = read_seams(line.seams, conditioning);
   if(line.corners)
-    line.options.corners = conditioned_corners(*line.corners, conditioning, mesh);
-  seconds.condition = seconds_since(condition_start) - seconds.cut;
+    for(int k = 0; k < 4; ++k)
+      (*line.options.corners)[k] = conditioned_vertex((*line.corners)[k], conditioning);
+  Mesh mesh = make_mesh(soup);
+  seconds.condition = seconds_since(condition_start);
 
   Progress progress;
   if(!line.is_quiet && isatty(STDERR_FILENO) != 0)
@@ -118,10 +125,13 @@ Exit_status run(Command_line line)
   const auto map_start = Clock::now();
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(line.options));
   seconds.condition += result.condition_seconds;
+  seconds.cut = result.cut_seconds;
   seconds.search = result.search_seconds;
-  seconds.final = seconds_since(map_start) - result.condition_seconds - result.search_seconds;
-  if(line.corners && result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
+  seconds.final = seconds_since(map_start) - result.cut_seconds - result.condition_seconds - result.search_seconds;
+  if(line.corners && result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER) {
+    check_corners(*line.corners, conditioning, mesh); // names the vertex as the file does
     throw Usage_error(result.message);
+  }
   if(result.status != CGAL::Surface_mesh_parameterization::OK) {
     std::cerr << "square_map: " << result.message << '\n';
     return result.search.evaluations == 0 ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
@@ -129,13 +139,13 @@ Exit_status run(Command_line line)
 
   const auto write_start = Clock::now();
   if(output) {
-    write_map(output->stream(), mesh, uv, originals, extension_of(line.output));
+    write_map(output->stream(), mesh, uv, originals_of(result, soup.points.size()), extension_of(line.output));
     output->close();
   }
   seconds.write = seconds_since(write_start);
   seconds.total = seconds_since(start);
   if(!line.json.empty()) {
-    const auto json = make_report(line, input_vertices, input_faces, conditioning, cut, mesh, result, seconds);
+    const auto json = make_report(line, input_vertices, input_faces, conditioning, mesh, result, seconds);
     std::ostream& stream = report ? static_cast<std::ostream&>(report->stream()) : std::cout;
     // a file name need not be UTF-8
     stream << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
@@ -159,10 +169,12 @@ Exit_status run(Command_line line)
       std::cerr << conditioning.vertices_dropped
                 << (conditioning.components > 1 ? " vertices without a kept face" : " isolated vertices")
                 << " were dropped\n";
-    if(cut.seam_edges > 0)
-      std::cerr << "cut along " << cut.seam_edges << " edges, " << cut.cut_length << " sqrt(area) long\n";
+    if(result.cut.seam_edges > 0)
+      std::cerr << "cut along " << result.cut.seam_edges << " edges, " << result.cut.cut_length << " sqrt(area) long\n";
     if(result.degenerate_faces > 0)
       std::cerr << result.degenerate_faces << " faces without area were mapped as if they were a little wide\n";
+    if(result.border_edges_split > 0)
+      std::cerr << "the border was too short for four corners: an edge of it was split\n";
     if(result.chords_split > 0)
       std::cerr << result.chords_split << " chords were split\n";
     std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << result.search.best_candidate << ", "

@@ -50,6 +50,20 @@ TEST_CASE("a chord is split at its midpoint")
   CHECK(mesh.degree(vertex_at(mesh, 4)) == 4);
 }
 
+TEST_CASE("a border of three edges gets a fourth")
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(Flat_mesh{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}, {0, 1, 2}});
+  const auto [result, uv] = map_onto_square(mesh);
+  REQUIRE(result.status == SMP::OK);
+  CHECK(result.border_edges_split == 1);
+  CHECK(result.border_edges == 4);
+  CHECK(result.chords_split == 1); // from the midpoint of the longest edge to the vertex opposite
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  REQUIRE(mesh.number_of_vertices() == 5);
+  CHECK(mesh.point(vertex_at(mesh, 3)) == Kernel::Point_3(0.5, 1, 0));
+  CHECK(result.measures.flipped_faces == 0);
+}
+
 TEST_CASE("only ears may be split, as the authors did")
 {
   // one row of six cells: each end has one ear; the other chords stay

@@ -525,13 +525,6 @@ TEST_CASE("a torus with a hole cannot be mapped uncut")
   check_refusal_of_soup(soup, UNMAPPABLE, "genus", {"--cut", "none"});
 }
 
-TEST_CASE("a border of three vertices cannot be mapped")
-{
-  check_refusal_of_soup({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, UNMAPPABLE, "3 vertices");
-  check_refusal_of_soup({{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 1}}, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}, UNMAPPABLE,
-                        "3 vertices");
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // command lines that make no sense
 
@@ -754,9 +747,9 @@ TEST_CASE("the report holds what it promises")
   const std::string input = folder.add("in.off", off(small));
   const nlohmann::json report = check_map(input, {"--strategy", "quarter-brute-force"}).report;
   CHECK(report["input"] == nlohmann::json{{"file", input}, {"vertices", 35}, {"faces", 48}});
-  for(const char* key :
-      {"vertices", "faces", "border_edges", "seam_edges", "cut_length", "chords_split", "vertices_dropped",
-       "faces_reoriented", "components", "component", "faces_dropped", "degenerate_faces", "polygons_triangulated"})
+  for(const char* key : {"vertices", "faces", "border_edges", "seam_edges", "cut_length", "border_edges_split",
+                         "chords_split", "vertices_dropped", "faces_reoriented", "components", "component",
+                         "faces_dropped", "degenerate_faces", "polygons_triangulated"})
     CHECK(report["conditioned"][key].is_number());
   CHECK(report["strategy"] == "quarter-brute-force");
   CHECK(report["minimizer"] == "optimal");
@@ -929,6 +922,21 @@ TEST_CASE("chords are split at their midpoint")
   CHECK(check_map(fan, {"--preset", "paper", "--strategy", "brute-force"}).report["conditioned"]["chords_split"] == 2);
 }
 
+TEST_CASE("a border of three vertices gets a fourth, in the middle of its longest edge")
+{
+  const Soup triangle{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
+  const Soup fan{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 1}}, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  for(const Soup& soup : {triangle, fan}) {
+    const Mapped mapped = check_map(soup);
+    CHECK(mapped.report["conditioned"]["border_edges"] == 4);
+    CHECK(mapped.report["conditioned"]["border_edges_split"] == 1);
+    REQUIRE(mapped.map.points.size() > soup.points.size());
+    for(int k = 0; k < 3; ++k)
+      CHECK(mapped.map.points[soup.points.size()][k] == (soup.points[1][k] + soup.points[2][k]) / 2);
+    CHECK(mapped.messages.find("an edge of it was split") != std::string::npos);
+  }
+}
+
 TEST_CASE("faces without area are mapped and counted, and the points stay where they are")
 {
   const std::vector<long> border = border_of(small.faces);
@@ -1071,10 +1079,4 @@ TEST_CASE("real meshes are mapped one-to-one", "[real]")
       const Mapped mapped = check_map(REAL_MESHES "/" + name + ".off");
       CHECK(mapped.report["best"]["l2"].get<double>() <= largest_l2);
     }
-}
-
-TEST_CASE("a single triangle cannot be mapped", "[real]")
-{
-  if(std::filesystem::exists(REAL_MESHES))
-    check_refusal_of_input(REAL_MESHES "/triangle.off", UNMAPPABLE, "3 vertices");
 }

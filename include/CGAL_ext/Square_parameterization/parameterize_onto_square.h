@@ -4,14 +4,12 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_PARAMETERIZE_ONTO_SQUARE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_PARAMETERIZE_ONTO_SQUARE_H
 
-#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
-#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
-#include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
+#include <CGAL_ext/Square_parameterization/Square_map_options.h>
+#include <CGAL_ext/Square_parameterization/Square_map_result.h>
 #include <CGAL_ext/Square_parameterization/error_message.h>
-#include <CGAL_ext/Square_parameterization/internal/Face_graph_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/cut_face_graph.h>
+#include <CGAL_ext/Square_parameterization/internal/options_parameter.h>
 #include <CGAL_ext/Square_parameterization/internal/square_search.h>
-#include <CGAL_ext/Square_parameterization/measure_stretch.h>
-#include <CGAL_ext/Square_parameterization/split_chords.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -25,73 +23,11 @@
 
 namespace CGAL_ext {
 
-/// \ingroup PkgSquareParameterizationFunctions
-///
-/// what `parameterize_onto_square()` is to do. Every member has a default.
-struct Square_map_options
-{
-  /// chooses the corners: any model of `CornerSearch`
-  Corner_search search = Bracketing_corner_search();
-  /// how each candidate is mapped: by the minimizer of the balanced energy, or, when this is empty, by the iteration
-  std::optional<Balanced_minimization> balanced = Balanced_minimization();
-  Stretch_minimization minimization;    ///< the iteration; `Hybrid_corner_search` suits it
-  Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
-  Chords chords = Chords::ALL;          ///< which chords are split
-
-  /// four border vertices for (0, 0), (1, 0), (1, 1) and (0, 1), counter-clockwise, as indices in the order of
-  /// `vertices(mesh)`; none: the corners are searched
-  std::optional<std::array<std::size_t, 4>> corners;
-};
-
-/// \ingroup PkgSquareParameterizationResults
-///
-/// what `parameterize_onto_square()` did
-template <class TriangleMesh>
-struct Square_map_result
-{
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-
-  /// `OK`, or why there is no map
-  CGAL::Surface_mesh_parameterization::Error_code status = CGAL::Surface_mesh_parameterization::OK;
-  std::string message;                    ///< one sentence that names the condition and the place; empty on `OK`
-  std::size_t chords_split = 0;           ///< number of edges that were split at their midpoint
-  std::vector<vertex_descriptor> corners; ///< the vertices at (0, 0), (1, 0), (1, 1) and (0, 1)
-  Search_report search;                   ///< candidates, evaluations and the stretch curve
-  Minimization_report minimization;       ///< iterations of the delivered map
-  Stretch_measures measures;              ///< of the delivered map
-  std::size_t border_edges = 0;           ///< number of edges of the border
-  /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as 1e-4
-  /// sqrt(area); the measures take them as they are.
-  std::size_t degenerate_faces = 0;
-  double condition_seconds = 0;           ///< splitting chords, reading the mesh and the first factorization
-  double search_seconds = 0;              ///< mapping all candidates
-};
-
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-enum options_t
-{
-  options
-};
-
-/// the border halfedge whose source comes first among the border vertices, in the order of the mesh
-template <class TriangleMesh>
-typename boost::graph_traits<TriangleMesh>::halfedge_descriptor first_border_halfedge(const TriangleMesh& mesh)
-{
-  for(auto v : vertices(mesh)) {
-    if(halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
-      continue; // isolated
-    for(auto h : CGAL::halfedges_around_source(v, mesh))
-      if(CGAL::is_border(h, mesh))
-        return h;
-  }
-  return boost::graph_traits<TriangleMesh>::null_halfedge();
-}
-
-/// refuses what the splitting of chords cannot take, and options that are out of range
-template <class TriangleMesh>
-void check_input(const TriangleMesh& mesh, const Square_map_options& options)
+/// refuses options that are out of range
+inline void check_options(const Square_map_options& options)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(options.balanced && !options.balanced->is_valid())
@@ -100,20 +36,9 @@ void check_input(const TriangleMesh& mesh, const Square_map_options& options)
         "the balance is not in [0, 1], a tolerance is negative, or the weights or eta of the start are wrong");
   if(!options.minimization.is_valid())
     throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
-  const std::size_t number_of_faces = std::distance(faces(mesh).begin(), faces(mesh).end());
-  if(number_of_faces == 0)
-    throw Unmappable(SMP::ERROR_EMPTY_MESH, "the surface has no faces");
-  std::size_t polygons = 0;
-  for(auto f : faces(mesh))
-    if(!CGAL::is_triangle(halfedge(f, mesh), mesh))
-      ++polygons;
-  if(polygons > 0)
-    throw Unmappable(SMP::ERROR_NON_TRIANGULAR_MESH, std::to_string(polygons) + " faces are not triangles");
-  const auto bhd = first_border_halfedge(mesh);
-  if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge())
-    throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC, "the surface is closed: it has no border");
-  if(faces_of_component(face(opposite(bhd, mesh), mesh), mesh).size() < number_of_faces)
-    throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC, "the surface has more than one connected component");
+  if(!options.cut.is_valid())
+    throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
+                     "the weight or the greatest length of the cut is negative, or its balance is not in [0, 1]");
 }
 
 /// positions in the border loop of four vertices, given by their place in the order of the mesh
@@ -155,17 +80,19 @@ options(const Square_map_options& options)
 
 /// \ingroup PkgSquareParameterizationFunctions
 ///
-/// maps a triangulated disk onto the unit square, one-to-one and with little stretch. Splits the chords of the mesh,
-/// searches the corners, and writes the best map.
+/// maps a triangulated surface onto the unit square, one-to-one and with little stretch. Cuts it to a disk where it is
+/// none, splits the chords, searches the corners, and writes the best map.
 ///
 /// The border starts at the border vertex that comes first in the order of the mesh. The map is not mirrored.
 ///
-/// \tparam TriangleMesh must be a model of `MutableFaceGraph`; it must be one connected component with one border.
+/// \tparam TriangleMesh must be a model of `MutableFaceGraph` and `FaceListGraph`
 /// \tparam VertexUVMap must be a model of `WritablePropertyMap` with the vertex descriptor as key type and a 2D point
 ///         as value type.
 /// \tparam NamedParameters a sequence of named parameters
 ///
-/// \param mesh the surface. It is changed only where a chord is split; new vertices and faces come last.
+/// \param mesh the surface: one connected component of triangles. A surface that is not a disk is cut in place, as
+///        `mark_seams()` marks and `cut_along_seams()` cuts; a border of three edges gets a fourth, and chords are split;
+///        else it is not changed. New vertices and faces come last.
 /// \param uvmap receives the position of every vertex, in [0, 1]^2; it is written only when the status is `OK`.
 /// \param np optional named parameters among those below
 ///
@@ -199,7 +126,17 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
   Square_map_result<TriangleMesh> result;
   try {
     const auto start = Clock::now();
-    internal::check_input(mesh, options);
+    internal::check_options(options);
+    internal::check_connected_triangles(mesh);
+    const bool may_be_cut = options.cut.mode != Cut_mode::NONE || !options.seams.empty();
+    if(may_be_cut && (!options.seams.empty() || !internal::is_disk(mesh)))
+      result.copies = internal::cut_mesh(mesh, vpm, options, result.cut);
+    const auto condition_start = Clock::now();
+    result.cut_seconds = std::chrono::duration<double>(condition_start - start).count();
+    const auto bhd = internal::first_border_halfedge(mesh);
+    if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge())
+      throw internal::Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC, "the surface is closed: it has no border");
+    result.border_edges_split = internal::lengthen_border(bhd, mesh, vpm);
     result.chords_split = split_chords(mesh, vpm, options.chords);
     const auto disk = internal::make_face_graph_patch(mesh, internal::first_border_halfedge(mesh), vpm);
     const auto& [patch, vertex_list] = disk;
@@ -212,7 +149,7 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
             : internal::search_square_map(patch, minimizer, options.search, options.search_options);
     const auto end = Clock::now();
 
-    result.condition_seconds = std::chrono::duration<double>(search_start - start).count();
+    result.condition_seconds = std::chrono::duration<double>(search_start - condition_start).count();
     result.search_seconds = std::chrono::duration<double>(end - search_start).count();
     result.search = outcome.report;
     result.minimization = outcome.map.report;

@@ -4,7 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H
 
-#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL_ext/Square_parameterization/internal/split_edges.h>
+
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -24,21 +25,28 @@ enum class Chords
 
 namespace internal {
 
-/// splits the edge of \p h at its midpoint, and its two faces with it
-template <class TriangleMesh, class VertexPointMap>
-void split_edge_at_midpoint(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, TriangleMesh& mesh,
-                            VertexPointMap vpm)
+/// splits the chords between border vertices as two predicates tell them, of vertices and of edges; returns the midpoints
+template <class TriangleMesh, class VertexPointMap, class Is_border_vertex, class Is_border_edge>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which, Is_border_vertex is_border_vertex,
+             Is_border_edge is_border_edge)
 {
-  typedef typename boost::property_traits<VertexPointMap>::reference Reference;
-  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-  Reference p = get(vpm, source(h, mesh)), q = get(vpm, target(h, mesh));
-  const auto middle = [](const auto& a, const auto& b) { return a / 2 + b / 2; };
-  const Point midpoint(middle(p.x(), q.x()), middle(p.y(), q.y()), middle(p.z(), q.z()));
-  const auto first = CGAL::Euler::split_edge(h, mesh); // ends at the new vertex; h begins there
-  put(vpm, target(first, mesh), midpoint);
-  CGAL::Euler::split_face(first, next(h, mesh), mesh);
-  const auto second = opposite(h, mesh); // ends at the new vertex, on the other side
-  CGAL::Euler::split_face(second, next(next(second, mesh), mesh), mesh);
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  const auto cuts_off_a_face = [&](auto h) {
+    return is_border_edge(edge(next(h, mesh), mesh)) && is_border_edge(edge(prev(h, mesh), mesh));
+  };
+  std::vector<edge_descriptor> chords;
+  for(edge_descriptor e : edges(mesh)) {
+    const auto h = halfedge(e, mesh);
+    if(is_border_edge(e) || !is_border_vertex(source(h, mesh)) || !is_border_vertex(target(h, mesh)))
+      continue;
+    if(which == Chords::ALL || cuts_off_a_face(h) || cuts_off_a_face(opposite(h, mesh)))
+      chords.push_back(e);
+  }
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> midpoints;
+  for(edge_descriptor e : chords)
+    midpoints.push_back(split_edge_at_midpoint(halfedge(e, mesh), mesh, vpm));
+  return midpoints;
 }
 
 } // namespace internal
@@ -58,24 +66,10 @@ void split_edge_at_midpoint(typename boost::graph_traits<TriangleMesh>::halfedge
 template <class TriangleMesh, class VertexPointMap>
 std::size_t split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which = Chords::ALL)
 {
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-  const auto is_on_border = [&mesh](auto v) { return bool(CGAL::is_border(v, mesh)); };
-  const auto cuts_off_a_face = [&mesh](auto h) {
-    return CGAL::is_border(opposite(next(h, mesh), mesh), mesh) && CGAL::is_border(opposite(prev(h, mesh), mesh), mesh);
-  };
-  std::vector<edge_descriptor> chords;
-  for(edge_descriptor e : edges(mesh)) {
-    const auto h = halfedge(e, mesh);
-    if(CGAL::is_border(h, mesh) || CGAL::is_border(opposite(h, mesh), mesh))
-      continue;
-    if(!is_on_border(source(h, mesh)) || !is_on_border(target(h, mesh)))
-      continue;
-    if(which == Chords::ALL || cuts_off_a_face(h) || cuts_off_a_face(opposite(h, mesh)))
-      chords.push_back(e);
-  }
-  for(edge_descriptor e : chords)
-    internal::split_edge_at_midpoint(halfedge(e, mesh), mesh, vpm);
-  return chords.size();
+  return internal::split_chords(
+             mesh, vpm, which, [&mesh](auto v) { return bool(CGAL::is_border(v, mesh)); },
+             [&mesh](auto e) { return CGAL::is_border_edge(halfedge(e, mesh), mesh); })
+      .size();
 }
 
 /// \ingroup PkgSquareParameterizationConditioning
@@ -85,6 +79,32 @@ template <class TriangleMesh>
 std::size_t split_chords(TriangleMesh& mesh)
 {
   return split_chords(mesh, get(CGAL::vertex_point, mesh));
+}
+
+/// \ingroup PkgSquareParameterizationConditioning
+///
+/// splits the chords that \p mesh has as a `CGAL::Seam_mesh`: edges that are not seams between two vertices on seams or
+/// borders. Returns how many there were. New edges and vertices are on no seam.
+///
+/// \tparam TriangleMesh must be a model of `MutableFaceGraph`.
+/// \tparam SeamEdgeMap must be a model of `ReadWritePropertyMap` with the edge descriptor as key type and `bool` as
+///         value type.
+/// \tparam SeamVertexMap must be a model of `ReadWritePropertyMap` with the vertex descriptor as key type and `bool` as
+///         value type.
+/// \pre all faces are triangles, and no `CGAL::Seam_mesh` of `mesh` has been made yet
+template <class TriangleMesh, class SeamEdgeMap, class SeamVertexMap>
+std::size_t split_seam_chords(TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVertexMap seam_vertices)
+{
+  const auto midpoints = internal::split_chords(
+      mesh, get(CGAL::vertex_point, mesh), Chords::ALL,
+      [&](auto v) { return get(seam_vertices, v) || CGAL::is_border(v, mesh); },
+      [&](auto e) { return get(seam_edges, e) || CGAL::is_border_edge(halfedge(e, mesh), mesh); });
+  for(auto v : midpoints) {
+    put(seam_vertices, v, false);
+    for(auto h : CGAL::halfedges_around_target(v, mesh))
+      put(seam_edges, edge(h, mesh), false);
+  }
+  return midpoints.size();
 }
 
 } // namespace CGAL_ext

@@ -5,7 +5,6 @@
 #define SQUARE_MAP_COMMAND_LINE_H
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
-#include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
@@ -47,7 +46,6 @@ struct Command_line
   bool is_quiet = false;
   CGAL_ext::Square_map_options options;
   CGAL_ext::internal::Conditioning_options conditioning_options;
-  CGAL_ext::Cut_options cut_options;
 };
 
 /// the value that a name stands for, or a usage error that lists the names
@@ -183,9 +181,9 @@ inline Command_line parse_command_line(int argc, char** argv)
   add("triangulate", po::bool_switch(&line.conditioning_options.triangulate), "split faces that are no triangles");
   add("cut", po::value(&cut)->value_name("NAME"),
       "how a surface that is not a disk is cut: best (default): for little stretch; shortest; none: it is refused");
-  add("cut-weight", po::value(&line.cut_options.cut_weight)->value_name("X"),
+  add("cut-weight", po::value(&line.options.cut.cut_weight)->value_name("X"),
       "best: stretch that a cut of the length sqrt(area) must save; default 0.05");
-  add("max-cut-length", po::value(&line.cut_options.max_cut_length)->value_name("X"),
+  add("max-cut-length", po::value(&line.options.cut.max_cut_length)->value_name("X"),
       "best: length, in units of sqrt(area), beyond which a cut is not extended");
   add("seams", po::value(&line.seams)->value_name("FILE"),
       "edges to cut along, two vertex numbers a line, counted from 0; what they lack is added");
@@ -274,14 +272,12 @@ inline Command_line parse_command_line(int argc, char** argv)
     line.conditioning_options.component = parse_component(component);
   if(is_given("cut")) {
     using CGAL_ext::Cut_mode;
-    line.cut_options.mode = named<Cut_mode>(
+    line.options.cut.mode = named<Cut_mode>(
         {{"none", Cut_mode::NONE}, {"shortest", Cut_mode::SHORTEST}, {"best", Cut_mode::BEST}}, "cut", cut);
   }
-  if(options.balanced)
-    line.cut_options.balance = options.balanced->balance;
-  if(line.cut_options.mode != CGAL_ext::Cut_mode::NONE || !line.seams.empty())
+  if(line.options.cut.mode != CGAL_ext::Cut_mode::NONE || !line.seams.empty())
     line.conditioning_options.topology = CGAL_ext::internal::Topology::CONNECTED;
-  if(!line.cut_options.is_valid())
+  if(!line.options.cut.is_valid())
     throw Usage_error("--cut-weight and --max-cut-length must not be negative");
   options.search = named(strategies(tuning), "strategy", line.strategy);
   if(is_given("weights"))
@@ -308,7 +304,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   }
   options.search_options.number_of_threads = threads;
   if(is_given("corners")) {
-    line.corners = parse_corners(corners);
+    line.corners = options.corners = parse_corners(corners);
     line.strategy = "none";
   }
   check_outputs(line);

@@ -82,13 +82,13 @@ inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, cons
 }
 
 /// reads seams: two vertex numbers a line; returns them as vertices of the conditioned soup
-inline std::vector<std::array<int, 2>> read_seams(const std::string& path,
-                                                  const CGAL_ext::internal::Conditioning_report& conditioning)
+inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& path,
+                                                          const CGAL_ext::internal::Conditioning_report& conditioning)
 {
   std::ifstream file(path);
   if(!file)
     throw Malformed_file("cannot read '" + path + "'");
-  std::vector<std::array<int, 2>> seams;
+  std::vector<std::array<std::size_t, 2>> seams;
   std::size_t line_number = 0;
   for(std::string line; std::getline(file, line);) {
     ++line_number;
@@ -99,14 +99,14 @@ inline std::vector<std::array<int, 2>> read_seams(const std::string& path,
     if(!(stream >> ends[0] >> ends[1]) || !(stream >> std::ws).eof())
       throw Malformed_file("'" + path + "' is malformed: line " + std::to_string(line_number) +
                            " is not two vertex numbers");
-    std::array<int, 2> seam{};
+    std::array<std::size_t, 2> seam{};
     for(int k = 0; k < 2; ++k) {
       using CGAL_ext::internal::Conditioning_report;
       if(ends[k] < 0 || static_cast<std::size_t>(ends[k]) >= conditioning.new_index.size() ||
          conditioning.new_index[ends[k]] == Conditioning_report::DROPPED)
         throw Malformed_file("'" + path + "' is malformed: line " + std::to_string(line_number) + " names vertex " +
                              std::to_string(ends[k]) + ", which no mapped face has");
-      seam[k] = static_cast<int>(conditioning.new_index[ends[k]]);
+      seam[k] = conditioning.new_index[ends[k]];
     }
     seams.push_back(seam);
   }

@@ -6,8 +6,6 @@
 
 #include "Command_line.h"
 
-#include <CGAL_ext/Square_parameterization/Cut_report.h>
-
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -28,10 +26,10 @@ inline nlohmann::ordered_json number(double x)
 
 /// the report of a run that made a map
 inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t input_vertices, std::size_t input_faces,
-                                          const CGAL_ext::internal::Conditioning_report& conditioning,
-                                          const CGAL_ext::Cut_report& cut, const Mesh& mesh,
+                                          const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh,
                                           const CGAL_ext::Square_map_result<Mesh>& result, const Timings& seconds)
 {
+  const CGAL_ext::Cut_report& cut = result.cut;
   nlohmann::ordered_json json;
   json["input"] = {{"file", line.input}, {"vertices", input_vertices}, {"faces", input_faces}};
   json["conditioned"] = {{"vertices", mesh.number_of_vertices()},
@@ -39,6 +37,7 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                          {"border_edges", result.border_edges},
                          {"seam_edges", cut.seam_edges},
                          {"cut_length", cut.cut_length},
+                         {"border_edges_split", result.border_edges_split},
                          {"chords_split", result.chords_split},
                          {"degenerate_faces", result.degenerate_faces},
                          {"components", conditioning.components},

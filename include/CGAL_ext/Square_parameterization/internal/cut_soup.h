@@ -5,28 +5,12 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SOUP_H
 
 #include <CGAL_ext/Square_parameterization/internal/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/surface_of_soup.h>
 
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// the surface of a conditioned soup, scaled so that no square overflows.
-/// Throws `Unmappable` when no face has an area.
-inline Triangle_surface surface_of_soup(const Surface_soup& soup)
-{
-  std::vector<Eigen::Vector3d> points = soup.points;
-  const double rounding = normalise_coordinates(points);
-  std::vector<std::array<int, 3>> triangles;
-  for(const auto& face : soup.faces)
-    triangles.push_back({static_cast<int>(face[0]), static_cast<int>(face[1]), static_cast<int>(face[2])});
-  const bool has_extent = std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-    return flatten(points[t[0]], points[t[1]], points[t[2]], rounding).y2 > 0;
-  });
-  if(!has_extent)
-    refuse_without_extent(triangles.size());
-  return make_triangle_surface(std::move(points), std::move(triangles));
-}
 
 /// cuts a conditioned soup to a disk; see `cut_to_disk()`. Its vertices keep their order, copies follow.
 /// Returns, per vertex, the vertex of the uncut soup.

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_OPTIONS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_OPTIONS_H
+
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/Square_search_options.h>
+#include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
+#include <CGAL_ext/Square_parameterization/corner_searches.h>
+#include <CGAL_ext/Square_parameterization/split_chords.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationFunctions
+///
+/// what `parameterize_onto_square()` is to do. Every member has a default.
+struct Square_map_options
+{
+  /// chooses the corners: any model of `CornerSearch`
+  Corner_search search = Bracketing_corner_search();
+  /// how each candidate is mapped: by the minimizer of the balanced energy, or, when this is empty, by the iteration
+  std::optional<Balanced_minimization> balanced = Balanced_minimization();
+  Stretch_minimization minimization;    ///< the iteration; `Hybrid_corner_search` suits it
+  Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
+  Chords chords = Chords::ALL;          ///< which chords are split
+  Cut_options cut; ///< how a surface that is not a disk is cut; its balance is that of `balanced`, where there is one
+
+  /// edges to cut along in any case, each as two indices in the order of `vertices(mesh)`; what they lack is added
+  std::vector<std::array<std::size_t, 2>> seams;
+
+  /// four border vertices for (0, 0), (1, 0), (1, 1) and (0, 1), counter-clockwise, as indices in the order of
+  /// `vertices(mesh)`; none: the corners are searched
+  std::optional<std::array<std::size_t, 4>> corners;
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_OPTIONS_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_RESULT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_RESULT_H
+
+#include <CGAL_ext/Square_parameterization/Cut_report.h>
+#include <CGAL_ext/Square_parameterization/Minimization_report.h>
+#include <CGAL_ext/Square_parameterization/Search_report.h>
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+
+/// \ingroup PkgSquareParameterizationResults
+///
+/// what `parameterize_onto_square()` did
+template <class TriangleMesh>
+struct Square_map_result
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+
+  /// `OK`, or why there is no map
+  CGAL::Surface_mesh_parameterization::Error_code status = CGAL::Surface_mesh_parameterization::OK;
+  std::string message; ///< one sentence that names the condition and the place; empty on `OK`
+  Cut_report cut;      ///< nothing in it for a disk
+  /// the vertices that the cut added, each with the vertex that it is a copy of
+  std::vector<std::pair<vertex_descriptor, vertex_descriptor>> copies;
+  std::size_t border_edges_split = 0;     ///< one when the border had three edges: a square needs four
+  std::size_t chords_split = 0;           ///< number of edges that were split at their midpoint
+  std::vector<vertex_descriptor> corners; ///< the vertices at (0, 0), (1, 0), (1, 1) and (0, 1)
+  Search_report search;                   ///< candidates, evaluations and the stretch curve
+  Minimization_report minimization;       ///< iterations of the delivered map
+  Stretch_measures measures;              ///< of the delivered map
+  std::size_t border_edges = 0;           ///< number of edges of the border
+  /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as 1e-4
+  /// sqrt(area); the measures take them as they are.
+  std::size_t degenerate_faces = 0;
+  double cut_seconds = 0;       ///< deciding on the cut, and cutting
+  double condition_seconds = 0; ///< splitting chords, reading the mesh and the first factorization
+  double search_seconds = 0;    ///< mapping all candidates
+};
+
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_RESULT_H

@@ -4,9 +4,9 @@
 """Maps every OFF file of a folder with square_map and prints what became of each.
 
 One line a file: exit status, vertices, faces, seam edges, cut length in units of sqrt(area), L2 stretch, seconds; or the
-reason of a refusal. Then a summary by exit status. Each file has 10 minutes and 4 GB; a run that takes more is reported
-as 'time' or, where the command itself does not notice, by its signal. Exits 1 when a file ended in another way than
-the documented exit statuses 0, 3, 4 and 5.
+reason of a refusal. Then a summary by exit status, with the slowest file and the one that took most memory. Each file
+has 10 minutes and 4 GB; a run that takes more is reported as 'time' or, where the command itself does not notice, by
+its signal. Exits 1 when a file ended in another way than the documented exit statuses 0, 3, 4 and 5.
 
 Options after -- go to square_map.
 """
@@ -63,11 +63,16 @@ def main():
     if arguments.keep:
         arguments.keep.mkdir(parents=True, exist_ok=True)
     statuses = collections.Counter()
+    slowest = largest = (0, '')
     print('%-28s %6s %8s %8s %6s %7s %8s %8s' % ('file', 'status', 'V', 'F', 'seams', 'length', 'L2', 'seconds'))
     for path in files:
         output = arguments.keep / (path.stem + '.obj') if arguments.keep else None
         status, result, message, seconds = map_file(arguments.square_map, path, output, options)
         statuses[status] += 1
+        slowest = max(slowest, (seconds, path.stem))
+        # of all children so far: it grows with the file that takes more than those before it
+        largest = max(largest, (resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024, path.stem),
+                      key=lambda entry: entry[0])
         if result:
             conditioned = result['conditioned']
             print('%-28s %6s %8d %8d %6d %7.3f %8.4f %8.2f' %
@@ -77,6 +82,7 @@ def main():
             print('%-28s %6s %s (%.2f s)' % (path.stem, status, message, seconds), flush=True)
     print('\n%d files: ' % len(files) +
           ', '.join('%d with status %s' % (count, status) for status, count in sorted(statuses.items(), key=str)))
+    print('slowest: %s, %.1f s; most memory: %s, %.0f MiB' % (slowest[1], slowest[0], largest[1], largest[0]))
     sys.exit(0 if set(statuses) <= {0, 3, 4, 5} else 1)
 
 

@@ -1,11 +1,13 @@
 // examples/Square_parameterization/seam_mesh_square_border.cpp
 //
-// A closed surface, cut along a path of edges by CGAL's Seam_mesh, mapped onto the square.
+// A closed surface, cut by CGAL's Seam_mesh along seams that leave little stretch, mapped onto the square.
 
 #include "include/Print_search.h"
 
-#include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
-#include <CGAL_ext/Square_parameterization/Stretch_minimizing_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/Bracketing_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/Stretch_optimal_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/mark_seams.h>
+#include <CGAL_ext/Square_parameterization/split_chords.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
@@ -21,33 +23,24 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Surface;
 typedef Surface::Property_map<Surface::Edge_index, bool> Seam_edges;
 typedef Surface::Property_map<Surface::Vertex_index, bool> Seam_vertices;
 typedef CGAL::Seam_mesh<Surface, Seam_edges, Seam_vertices> Mesh;
-typedef CGAL_ext::Hybrid_square_border_parameterizer_3<Mesh> Border;
-typedef CGAL_ext::Stretch_minimizing_parameterizer_3<Mesh, Border> Parameterizer;
-
-/// cuts the surface along a path with the fewest edges from vertex 0 to a vertex as far from it as any
-void add_seam(const Surface& surface, Mesh& mesh)
-{
-  std::vector<Surface::Vertex_index> queue{Surface::Vertex_index(0)};
-  std::vector<Surface::Vertex_index> previous(surface.number_of_vertices(), Surface::null_vertex());
-  previous[0] = queue[0];
-  for(std::size_t i = 0; i < queue.size(); ++i) // breadth-first
-    for(Surface::Vertex_index v : surface.vertices_around_target(surface.halfedge(queue[i])))
-      if(previous[v] == Surface::null_vertex()) {
-        previous[v] = queue[i];
-        queue.push_back(v);
-      }
-  for(Surface::Vertex_index v = queue.back(); v != previous[v]; v = previous[v])
-    mesh.add_seam(v, previous[v]);
-}
+typedef CGAL_ext::Bracketing_square_border_parameterizer_3<Mesh> Border;
+typedef CGAL_ext::Stretch_optimal_parameterizer_3<Mesh, Border> Parameterizer;
 
 int main(int argc, char** argv)
 {
   Surface surface;
   if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/bear.off"), surface))
     return EXIT_FAILURE;
-  Mesh mesh(surface, surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first,
-            surface.add_property_map<Surface::Vertex_index, bool>("v:seam", false).first);
-  add_seam(surface, mesh);
+  const Seam_edges seam_edges = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
+  const Seam_vertices seam_vertices = surface.add_property_map<Surface::Vertex_index, bool>("v:seam", false).first;
+  const CGAL_ext::Seam_result seams = CGAL_ext::mark_seams(surface, seam_edges, seam_vertices);
+  if(seams.status != SMP::OK) {
+    std::cerr << seams.message << '\n';
+    return EXIT_FAILURE;
+  }
+  CGAL_ext::split_seam_chords(surface, seam_edges, seam_vertices); // every choice of corners then has a map
+  std::cout << "cut along " << seams.cut.seam_edges << " edges, " << seams.cut.cut_length << " sqrt(area) long\n";
+  Mesh mesh(surface, seam_edges, seam_vertices);
   const auto bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   auto uvmap = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv").first; // split at the seam
 

@@ -163,6 +163,8 @@ Exit_status run(Command_line line)
                 << conditioning.faces_dropped << " faces of the others were dropped\n";
     if(conditioning.polygons_triangulated > 0)
       std::cerr << conditioning.polygons_triangulated << " polygons were split into triangles\n";
+    if(conditioning.vertices_added > 0)
+      std::cerr << conditioning.vertices_added << " vertices were added in polygons that no diagonal could split\n";
     if(conditioning.faces_reoriented > 0)
       std::cerr << conditioning.faces_reoriented << " faces were turned round to agree with their neighbors\n";
     if(conditioning.vertices_dropped > 0)

@@ -333,11 +333,102 @@ TEST_CASE("polygons are split without new vertices, in their place, and oriented
   CHECK(area == Approx(2 + 0.875));
 }
 
-TEST_CASE("polygons that have no triangulation are refused by their numbers")
+TEST_CASE("neighboring polygons do not get the same diagonal, which would have four faces")
 {
-  Surface_soup flat = soup_of(8, {{0, 1, 2}, {0, 2, 3, 4}}); // on a line
-  CHECK_THAT(refusal(flat, SMP::ERROR_NON_TRIANGULAR_MESH, triangulation()),
-             Contains("1 polygon cannot be split into triangles (face 1)"));
+  // two polygons that share two edges at vertex 1: each could be split between 0 and 2
+  const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {2, -0.1, 1}, {4, 0, 0}, {2, 3, 0}, {2, -3, 0}};
+  Surface_soup soup{points, {{0, 1, 2, 3}, {2, 1, 0, 4}}};
+  const Conditioning_report report = condition_soup(soup, triangulation());
+  CHECK(report.polygons_triangulated == 2);
+  CHECK(report.vertices_added == 0);
+  CHECK(soup.faces.size() == 4);
+  CHECK(is_oriented(soup));
+  // the two sides of one quadrilateral, and of one hexagon
+  for(const std::size_t n : {4, 6}) {
+    Surface_soup pillow{{}, Faces(2)};
+    for(std::size_t v = 0; v < n; ++v) {
+      pillow.points.emplace_back(std::cos(2 * EIGEN_PI * v / n), std::sin(2 * EIGEN_PI * v / n), 0);
+      pillow.faces[0].push_back(v);
+      pillow.faces[1].push_back(n - 1 - v);
+    }
+    Conditioning_options options = triangulation();
+    options.topology = Topology::CONNECTED;
+    CHECK(condition_soup(pillow, options).vertices_added == 0);
+    CHECK(pillow.faces.size() == 2 * (n - 2));
+    CHECK(is_oriented(pillow));
+  }
+}
+
+TEST_CASE("a polygon whose diagonals all are edges gets a vertex in its middle")
+{
+  // five quadrilaterals make a torus in which every two of the five vertices are joined
+  Surface_soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {7, 7, 7}}, {}};
+  for(std::size_t i = 0; i < 5; ++i)
+    soup.faces.push_back({i, (i + 1) % 5, (i + 3) % 5, (i + 2) % 5});
+  const std::vector<Eigen::Vector3d> points = soup.points;
+  Conditioning_options options = triangulation();
+  options.topology = Topology::CONNECTED;
+  const Conditioning_report report = condition_soup(soup, options);
+  CHECK(report.polygons_triangulated == 5);
+  CHECK(report.vertices_added == 5);
+  CHECK(report.vertices_dropped == 1);
+  CHECK(report.new_index == std::vector<std::size_t>{0, 1, 2, 3, 4, DROPPED});
+  CHECK(soup.faces.size() == 20);
+  CHECK(is_oriented(soup));
+  REQUIRE(soup.points.size() == 10);
+  CHECK((soup.points[5] - (points[0] + points[1] + points[3] + points[2]) / 4).norm() < 1e-15);
+}
+
+TEST_CASE("a polygon is cut into triangles that do not overlap, also with many reflex corners and corners on its sides")
+{
+  for(const int n : {10, 41, 160}) {
+    Surface_soup soup{{}, {{}}};
+    double area = 0;
+    for(int v = 0; v < n; ++v) { // a star, with the middles of its edges, in a plane that is far from level
+      const double radii[2] = {v % 4 == 0 ? 1 : 0.4, v % 4 == 0 ? 0.4 : 1};
+      const auto tip = [n](int k, double radius) {
+        return Eigen::Vector3d(radius * std::cos(EIGEN_PI * k / n), radius * std::sin(EIGEN_PI * k / n), 0);
+      };
+      soup.points.push_back(v % 2 == 0 ? tip(2 * v, radii[0])
+                                       : (tip(2 * v - 2, radii[1]) + tip(2 * v + 2, radii[0])) / 2);
+      soup.faces[0].push_back(v);
+    }
+    for(Eigen::Vector3d& p : soup.points)
+      p = {3 * p.x() + 2 * p.y(), p.x(), p.y() - p.x()};
+    const Eigen::Vector3d normal = Eigen::Vector3d(3, 1, -1).cross(Eigen::Vector3d(2, 0, 1));
+    for(int v = 0; v < n; ++v)
+      area += soup.points[v].cross(soup.points[(v + 1) % n]).dot(normal) / 2;
+    condition_soup(soup, triangulation());
+    REQUIRE(soup.faces.size() == static_cast<std::size_t>(n - 2));
+    double sum = 0;
+    for(const auto& face : soup.faces) {
+      const Eigen::Vector3d a = soup.points[face[1]] - soup.points[face[0]];
+      const double part = a.cross(soup.points[face[2]] - soup.points[face[0]]).dot(normal) / 2;
+      CHECK(part > 0);
+      sum += part;
+    }
+    CHECK(sum == Approx(area));
+  }
+}
+
+TEST_CASE("polygons without area, with corners in one place, or that meet themselves are split, too")
+{
+  const std::vector<Eigen::Vector3d> line{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}, {5, 5, 5}};
+  const std::vector<Eigen::Vector3d> bow_tie{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 2}};
+  const std::vector<Eigen::Vector3d> doubled{{0, 0, 0}, {5, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}};
+  for(const auto& points : {line, bow_tie, doubled, std::vector<Eigen::Vector3d>(5, {1, 2, 3})})
+    for(double scale : {1., 1e300, 1e-300}) {
+      Surface_soup soup{points, {{0, 4, 2, 1, 3}}};
+      for(Eigen::Vector3d& p : soup.points)
+        p *= scale;
+      CHECK(condition_soup(soup, triangulation()).polygons_triangulated == 1);
+      CHECK(soup.faces.size() == 3);
+      CHECK(is_oriented(soup));
+    }
+}
+
+TEST_CASE("polygons are refused unless they are to be split, and when they repeat a vertex")
+{
   CHECK_THAT(refusal(soup_of(5, {{0, 1, 2, 3}, {2, 1, 4, 2}}), SMP::ERROR_NON_TRIANGULAR_MESH, triangulation()),
              Contains("1 face that repeats a vertex (face 1)"));
   CHECK_THAT(refusal(soup_of(4, Faces(9, {0, 1, 2, 3})), SMP::ERROR_NON_TRIANGULAR_MESH), Contains("--triangulate"));

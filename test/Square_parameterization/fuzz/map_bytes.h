@@ -4,18 +4,10 @@
 #ifndef CGAL_EXT_FUZZ_MAP_BYTES_H
 #define CGAL_EXT_FUZZ_MAP_BYTES_H
 
-#include "Soup_of_bytes.h"
+#include "Choices_of_bytes.h"
+#include "check_map.h"
 
-#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
-#include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
 #include <CGAL_ext/Square_parameterization/internal/cut_soup.h>
-#include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <stdexcept>
-#include <string>
 
 /// what became of a mesh
 enum class Outcome
@@ -25,70 +17,64 @@ enum class Outcome
   ONE_TO_ONE ///< and checked
 };
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Fuzz_kernel;
-typedef CGAL::Surface_mesh<Fuzz_kernel::Point_3> Fuzz_mesh;
-typedef Fuzz_mesh::Property_map<Fuzz_mesh::Vertex_index, Fuzz_kernel::Point_2> Fuzz_uv_map;
-
-/// throws unless the map is onto the unit square and without flips, by exact predicates
-inline void check_one_to_one(const Fuzz_mesh& mesh, Fuzz_uv_map uv,
-                             const CGAL_ext::Square_map_result<Fuzz_mesh>& result)
+/// some edges of the surface
+inline std::vector<std::array<int, 2>> seams_at(const std::array<int, 4>& places,
+                                                const CGAL_ext::internal::Surface_soup& soup)
 {
-  for(Fuzz_mesh::Face_index f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    if(CGAL::orientation(uv[mesh.source(h)], uv[mesh.target(h)], uv[mesh.target(mesh.next(h))]) != CGAL::LEFT_TURN)
-      throw std::logic_error("face " + std::to_string(f.idx()) + " is flipped or flat");
+  std::vector<std::array<int, 2>> seams;
+  for(int place : places) {
+    const auto& face = soup.faces[place % soup.faces.size()];
+    seams.push_back({static_cast<int>(face[0]), static_cast<int>(face[1])});
   }
-  for(Fuzz_mesh::Vertex_index v : mesh.vertices()) {
-    const double x = uv[v].x(), y = uv[v].y();
-    if(!(x >= 0 && x <= 1 && y >= 0 && y <= 1) || (mesh.is_border(v) && x != 0 && x != 1 && y != 0 && y != 1))
-      throw std::logic_error("vertex " + std::to_string(v.idx()) + " is off the square, or off its border");
-  }
-  if(result.corners.size() != 4 || result.measures.flipped_faces != 0 || !(result.measures.l2 >= 1 - 1e-9) ||
-     !std::isfinite(result.measures.l2))
-    throw std::logic_error("the report does not fit the map");
+  return seams;
 }
 
-/// what the bytes choose
-inline CGAL_ext::Square_map_options options_of(Byte_source& bytes)
+/// four border vertices, counter-clockwise; none when the places are not four
+inline std::optional<std::array<std::size_t, 4>> corners_at(const std::array<int, 4>& places, const Fuzz_mesh& mesh)
 {
-  CGAL_ext::Square_map_options options;
-  options.search_options.number_of_threads = 1;
-  const int choice = bytes.next();
-  if(choice % 2 == 1) {
-    options.balanced = CGAL_ext::Balanced_minimization();
-    options.balanced->balance = (choice / 2 % 4) / 3.;
-    options.balanced->border = choice / 8 % 2 == 1 ? CGAL_ext::Border_motion::SLIDING : CGAL_ext::Border_motion::FIXED;
-  }
-  if(choice / 16 % 2 == 1)
-    options.search = CGAL_ext::Bracketing_corner_search();
-  return options;
+  std::vector<std::size_t> loop;
+  for(Fuzz_mesh::Halfedge_index first : mesh.halfedges())
+    if(mesh.is_border(first)) {
+      // a border halfedge has the surface on its right: backward is counter-clockwise
+      for(auto h = first; loop.empty() || h != first; h = mesh.prev(h))
+        loop.push_back(mesh.target(h).idx());
+      break;
+    }
+  std::set<std::size_t> positions;
+  for(int place : places)
+    positions.insert(place % loop.size());
+  if(positions.size() < 4)
+    return {};
+  std::array<std::size_t, 4> corners{};
+  std::transform(positions.begin(), positions.end(), corners.begin(), [&loop](std::size_t k) { return loop[k]; });
+  return corners;
 }
 
-/// builds a mesh from bytes and takes it through conditioning, cut, search and minimization. Throws when a map is not
-/// what it should be.
+/// builds a mesh from bytes and takes it through conditioning, cut, search and minimization. Throws when a map, or the
+/// surface that is mapped, is not what it should be.
 inline Outcome map_bytes(const std::uint8_t* data, std::size_t size)
 {
   using namespace CGAL_ext::internal;
   Byte_source bytes(data, size);
-  const CGAL_ext::Square_map_options options = options_of(bytes);
-  CGAL_ext::Cut_options cut_options;
-  cut_options.mode = bytes.next() % 4 == 0 ? CGAL_ext::Cut_mode::BEST : CGAL_ext::Cut_mode::SHORTEST;
+  const Choices_of_bytes choices(bytes);
   Surface_soup soup = Soup_of_bytes(bytes).soup();
+  if(!std::all_of(soup.points.begin(), soup.points.end(), [](const auto& p) { return p.allFinite(); }))
+    return Outcome::REFUSED; // as the readers do
   try {
-    condition_soup(soup, {Topology::CONNECTED, 0, false});
+    condition_soup(soup, choices.conditioning_options);
+    const Surface_soup uncut = soup;
     CGAL_ext::Cut_report report;
-    cut_soup(soup, {}, cut_options, report);
+    const auto seams = choices.has_seams ? seams_at(choices.places, soup) : std::vector<std::array<int, 2>>();
+    const std::vector<int> originals = cut_soup(soup, seams, choices.cut_options, report);
+    check_cut(uncut, seams, soup, originals, report);
   } catch(const Unmappable&) {
     return Outcome::REFUSED;
   }
-  Fuzz_mesh mesh;
-  for(const Eigen::Vector3d& p : soup.points)
-    mesh.add_vertex(Fuzz_kernel::Point_3(p.x(), p.y(), p.z()));
-  for(const auto& face : soup.faces)
-    if(mesh.add_face(Fuzz_mesh::Vertex_index(face[0]), Fuzz_mesh::Vertex_index(face[1]),
-                     Fuzz_mesh::Vertex_index(face[2])) == Fuzz_mesh::null_face())
-      throw std::logic_error("a conditioned soup is no mesh");
+  Fuzz_mesh mesh = mesh_of_disk(soup);
   Fuzz_uv_map uv = mesh.add_property_map<Fuzz_mesh::Vertex_index, Fuzz_kernel::Point_2>("uv").first;
+  CGAL_ext::Square_map_options options = choices.options;
+  if(choices.has_corners)
+    options.corners = corners_at(choices.places, mesh);
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(result.status == SMP::ERROR_BORDER_TOO_SHORT || result.status == SMP::ERROR_NO_1_TO_1_MAPPING)

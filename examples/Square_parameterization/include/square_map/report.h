@@ -45,6 +45,7 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                          {"vertices_dropped", conditioning.vertices_dropped},
                          {"faces_dropped", conditioning.faces_dropped},
                          {"polygons_triangulated", conditioning.polygons_triangulated},
+                         {"vertices_added", conditioning.vertices_added},
                          {"faces_reoriented", conditioning.faces_reoriented}};
   static const char* const step_names[] = {"initial", "added", "dropped", "moved"};
   json["cut"] = {{"decision_faces", cut.decision_faces}, {"history", nlohmann::ordered_json::array()}};

@@ -35,6 +35,7 @@ struct Conditioning_report
   std::size_t vertices_dropped = 0;      ///< isolated vertices and those of the other components
   std::size_t faces_reoriented = 0;      ///< faces that were turned round
   std::size_t polygons_triangulated = 0; ///< faces that were split
+  std::size_t vertices_added = 0;        ///< in the middle of polygons that no diagonal could split; they come last
   std::vector<std::size_t> new_index;    ///< per vertex of the input; `DROPPED` for one without a face
 
   static constexpr std::size_t DROPPED = static_cast<std::size_t>(-1);
@@ -64,6 +65,7 @@ inline std::vector<std::size_t> choose_component(const Conditioning_options& opt
 /// drops the vertices of no face; the others keep their order
 inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& report)
 {
+  const std::size_t input_vertices = soup.points.size() - report.vertices_added;
   report.new_index.assign(soup.points.size(), Conditioning_report::DROPPED);
   for(const auto& face : soup.faces)
     for(std::size_t v : face)
@@ -79,6 +81,7 @@ inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& repo
   for(auto& face : soup.faces)
     for(std::size_t& v : face)
       v = report.new_index[v];
+  report.new_index.resize(input_vertices);
 }
 
 /// makes a soup one connected, manifold, oriented triangle surface: chooses a component and splits polygons where that
@@ -90,13 +93,14 @@ inline Conditioning_report condition_soup(Surface_soup& soup, const Conditioning
 {
   Conditioning_report report;
   check_not_empty(soup);
-  std::vector<std::size_t> names = choose_component(options, soup, report);
+  const std::vector<std::size_t> names = choose_component(options, soup, report);
   check_faces(soup, names, options.triangulate);
   check_edges(soup);
   report.faces_reoriented = orient_faces(soup, names);
   if(options.triangulate) {
-    report.polygons_triangulated = triangulate_soup(soup, names);
-    check_edges(soup); // two polygons may have got the same diagonal
+    const std::size_t input_vertices = soup.points.size();
+    report.polygons_triangulated = triangulate_soup(soup);
+    report.vertices_added = soup.points.size() - input_vertices;
   }
   check_topology(soup, options.topology);
   drop_isolated_vertices(soup, report);

@@ -4,69 +4,89 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_TRIANGULATE_SOUP_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_TRIANGULATE_SOUP_H
 
-#include <CGAL_ext/Square_parameterization/internal/Complaint.h>
+#include <CGAL_ext/Square_parameterization/internal/Ear_clipping.h>
 #include <CGAL_ext/Square_parameterization/internal/Surface_soup.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <string>
+#include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
 
-/// the triangles of one polygon, found by CGAL's `triangulate_faces()`; empty when it finds none, as for a polygon that
-/// meets itself. They are oriented as the polygon.
-inline std::vector<std::vector<std::size_t>> triangles_of_polygon(const std::vector<Eigen::Vector3d>& points,
-                                                                  const std::vector<std::size_t>& polygon)
+/// the edges of a soup, to which diagonals are added
+class Known_edges
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> corners;
-  for(std::size_t v : polygon)
-    corners.push_back(mesh.add_vertex(Kernel::Point_3(points[v].x(), points[v].y(), points[v].z())));
-  mesh.add_face(corners);
-  if(!CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
-    return {};
-  std::vector<std::vector<std::size_t>> triangles;
-  for(Mesh::Face_index f : mesh.faces()) {
-    triangles.emplace_back();
-    for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      triangles.back().push_back(polygon[v.idx()]);
+public:
+  explicit Known_edges(const Surface_soup& soup)
+  {
+    for(const Soup_side& side : sides_by_edge(soup.faces))
+      m_edges.emplace_back(side.low, side.high);
   }
+
+  void add(std::size_t a, std::size_t b) { m_diagonals.insert(std::minmax(a, b)); }
+
+  bool contains(std::size_t a, std::size_t b) const
+  {
+    const std::pair<std::size_t, std::size_t> edge = std::minmax(a, b);
+    return std::binary_search(m_edges.begin(), m_edges.end(), edge) || m_diagonals.count(edge) != 0;
+  }
+
+private:
+  std::vector<std::pair<std::size_t, std::size_t>> m_edges; // ascending
+  std::set<std::pair<std::size_t, std::size_t>> m_diagonals;
+};
+
+/// splits one polygon by diagonals that are no edges yet, for an edge must not get a third face. What cannot be split so,
+/// because all diagonals are edges, gets a vertex in its middle. The triangles are oriented as the polygon.
+inline std::vector<std::vector<std::size_t>>
+triangles_of_polygon(const std::vector<std::size_t>& polygon, Known_edges& edges, std::vector<Eigen::Vector3d>& points)
+{
+  std::vector<Eigen::Vector3d> corners;
+  for(std::size_t v : polygon)
+    corners.push_back(points[v]);
+  Ear_clipping clipping(corners);
+  const auto is_known = [&](std::size_t a, std::size_t b) { return edges.contains(polygon[a], polygon[b]); };
+  while(clipping.rest().size() > 3 && clipping.clip(is_known)) {
+    const auto& [a, b, c] = clipping.triangles().back();
+    edges.add(polygon[a], polygon[c]);
+  }
+  std::vector<std::vector<std::size_t>> triangles;
+  for(const auto& [a, b, c] : clipping.triangles())
+    triangles.push_back({polygon[a], polygon[b], polygon[c]});
+  const std::vector<std::size_t>& rest = clipping.rest();
+  if(rest.size() == 3) {
+    triangles.push_back({polygon[rest[0]], polygon[rest[1]], polygon[rest[2]]});
+    return triangles;
+  }
+  Eigen::Vector3d middle(0, 0, 0);
+  for(std::size_t k : rest)
+    middle += corners[k] / static_cast<double>(rest.size());
+  for(std::size_t i = 0; i < rest.size(); ++i)
+    triangles.push_back({polygon[rest[i]], polygon[rest[(i + 1) % rest.size()]], points.size()});
+  points.push_back(middle);
   return triangles;
 }
 
-/// splits the faces with more than three vertices; the triangles of a face take its place. \p names holds, per face,
-/// its number for messages, and is brought up to date. Returns how many faces it split.
-inline std::size_t triangulate_soup(Surface_soup& soup, std::vector<std::size_t>& names)
+/// splits the faces with more than three vertices; the triangles of a face take its place, and new vertices come last.
+/// Returns how many faces it split.
+/// \pre no face repeats a vertex, no edge has more than two faces
+inline std::size_t triangulate_soup(Surface_soup& soup)
 {
-  std::vector<std::vector<std::size_t>> faces;
-  std::vector<std::size_t> new_names;
-  std::vector<std::string> unsplit;
-  std::size_t polygons = 0, number_of_unsplit = 0;
-  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
-    std::vector<std::vector<std::size_t>> parts{soup.faces[f]};
-    if(soup.faces[f].size() > 3) {
-      ++polygons;
-      parts = triangles_of_polygon(soup.points, soup.faces[f]);
-      if(parts.empty() && ++number_of_unsplit <= NAMED_PLACES)
-        unsplit.push_back("face " + std::to_string(names[f]));
+  Known_edges edges(soup);
+  std::vector<std::vector<std::size_t>> triangles;
+  std::size_t polygons = 0;
+  for(auto& face : soup.faces) {
+    if(face.size() == 3) {
+      triangles.push_back(std::move(face));
+      continue;
     }
-    new_names.insert(new_names.end(), parts.size(), names[f]);
-    for(auto& part : parts)
-      faces.push_back(std::move(part));
+    ++polygons;
+    for(auto& triangle : triangles_of_polygon(face, edges, soup.points))
+      triangles.push_back(std::move(triangle));
   }
-  Complaint complaint;
-  complaint.add(number_of_unsplit, "polygon cannot be split into triangles", "polygons cannot be split into triangles",
-                unsplit);
-  complaint.throw_if_any(CGAL::Surface_mesh_parameterization::ERROR_NON_TRIANGULAR_MESH);
-  soup.faces = std::move(faces);
-  names = std::move(new_names);
+  soup.faces = std::move(triangles);
   return polygons;
 }
 

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_FUZZ_CHECK_MAP_H
+#define CGAL_EXT_FUZZ_CHECK_MAP_H
+
+#include <CGAL_ext/Square_parameterization/Cut_report.h>
+#include <CGAL_ext/Square_parameterization/internal/Surface_soup.h>
+#include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What must hold for every surface that is mapped: else these throw.
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Fuzz_kernel;
+typedef CGAL::Surface_mesh<Fuzz_kernel::Point_3> Fuzz_mesh;
+typedef Fuzz_mesh::Property_map<Fuzz_mesh::Vertex_index, Fuzz_kernel::Point_2> Fuzz_uv_map;
+
+/// throws a sentence unless the condition holds
+inline void demand(bool condition, const std::string& sentence)
+{
+  if(!condition)
+    throw std::logic_error(sentence);
+}
+
+/// the number of faces at every edge
+inline std::map<std::pair<std::size_t, std::size_t>, int> faces_at_edges(const CGAL_ext::internal::Surface_soup& soup)
+{
+  std::map<std::pair<std::size_t, std::size_t>, int> edges;
+  for(const auto& face : soup.faces)
+    for(std::size_t k = 0; k < 3; ++k)
+      ++edges[std::minmax({face[k], face[(k + 1) % 3]})];
+  return edges;
+}
+
+/// throws unless the cut surface is the uncut one with vertices copied, as many edges parted as the report says, the
+/// seams among them
+inline void check_cut(const CGAL_ext::internal::Surface_soup& uncut, const std::vector<std::array<int, 2>>& seams,
+                      const CGAL_ext::internal::Surface_soup& cut, const std::vector<int>& originals,
+                      const CGAL_ext::Cut_report& report)
+{
+  demand(originals.size() == cut.points.size() && uncut.faces.size() == cut.faces.size(), "the cut lost something");
+  for(std::size_t v = 0; v < originals.size(); ++v)
+    demand(cut.points[v] == uncut.points[originals[v]], "a copied vertex is elsewhere");
+  const auto edges_before = faces_at_edges(uncut), edges = faces_at_edges(cut);
+  demand(edges.size() == edges_before.size() + report.seam_edges, "the number of seams is not that of the report");
+  std::map<std::pair<std::size_t, std::size_t>, int> largest_edge; // faces at the edges that an edge was parted into
+  for(const auto& [edge, faces] : edges) {
+    int& largest = largest_edge[std::minmax<std::size_t>(
+        {static_cast<std::size_t>(originals[edge.first]), static_cast<std::size_t>(originals[edge.second])})];
+    largest = (std::max)(largest, faces);
+  }
+  for(const auto& [a, b] : seams)
+    demand(largest_edge.at(std::minmax<std::size_t>({std::size_t(a), std::size_t(b)})) == 1, "a seam is not cut");
+  for(std::size_t f = 0; f < cut.faces.size(); ++f)
+    for(std::size_t k = 0; k < 3; ++k)
+      demand(static_cast<std::size_t>(originals[cut.faces[f][k]]) == uncut.faces[f][k], "a face has changed");
+}
+
+/// the mesh of triangles that must be one disk
+inline Fuzz_mesh mesh_of_disk(const CGAL_ext::internal::Surface_soup& soup)
+{
+  typedef Fuzz_mesh::Vertex_index Vertex;
+  Fuzz_mesh mesh;
+  for(const Eigen::Vector3d& p : soup.points)
+    mesh.add_vertex(Fuzz_kernel::Point_3(p.x(), p.y(), p.z()));
+  for(const auto& face : soup.faces)
+    demand(mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2])) != Fuzz_mesh::null_face(),
+           "a conditioned soup is no mesh");
+  std::set<Fuzz_mesh::Halfedge_index> border;
+  for(Fuzz_mesh::Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h))
+      border.insert(h);
+  demand(!border.empty(), "the cut surface has no border");
+  const auto first = *border.begin();
+  auto h = first;
+  do
+    border.erase(h);
+  while((h = mesh.next(h)) != first);
+  demand(border.empty(), "the cut surface has several borders");
+  demand(mesh.number_of_vertices() + mesh.number_of_faces() == mesh.number_of_edges() + 1,
+         "the cut surface is no disk");
+  return mesh;
+}
+
+/// throws unless the map is onto the unit square and without flips, by exact predicates, and the report fits it
+inline void check_one_to_one(const Fuzz_mesh& mesh, Fuzz_uv_map uv,
+                             const CGAL_ext::Square_map_result<Fuzz_mesh>& result)
+{
+  for(Fuzz_mesh::Face_index f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    demand(CGAL::orientation(uv[mesh.source(h)], uv[mesh.target(h)], uv[mesh.target(mesh.next(h))]) == CGAL::LEFT_TURN,
+           "face " + std::to_string(f.idx()) + " is flipped or flat");
+  }
+  for(Fuzz_mesh::Vertex_index v : mesh.vertices()) {
+    const double x = uv[v].x(), y = uv[v].y();
+    demand(x >= 0 && x <= 1 && y >= 0 && y <= 1, "vertex " + std::to_string(v.idx()) + " is off the square");
+    demand(!mesh.is_border(v) || x == 0 || x == 1 || y == 0 || y == 1,
+           "vertex " + std::to_string(v.idx()) + " is off the border");
+  }
+  demand(result.corners.size() == 4, "there are not four corners");
+  for(int k = 0; k < 4; ++k)
+    demand(uv[result.corners[k]] == Fuzz_kernel::Point_2(k == 1 || k == 2, k >= 2), "a corner is not at a corner");
+  demand(result.measures.flipped_faces == 0 && result.measures.l2 >= 1 - 1e-9 && std::isfinite(result.measures.l2) &&
+             std::isfinite(result.search.best_stretch),
+         "the report does not fit the map");
+}
+
+#endif // CGAL_EXT_FUZZ_CHECK_MAP_H

@@ -4,6 +4,7 @@
 #include "closed_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/internal/cut_open.h>
+#include <CGAL_ext/Square_parameterization/internal/cut_paths.h>
 #include <CGAL_ext/Square_parameterization/internal/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/reroute_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/split_surface_chords.h>
@@ -11,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
+#include <limits>
 #include <map>
 #include <numeric>
 

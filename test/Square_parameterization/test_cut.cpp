@@ -4,6 +4,7 @@
 #include "closed_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/internal/cut_open.h>
+#include <CGAL_ext/Square_parameterization/internal/cut_paths.h>
 #include <CGAL_ext/Square_parameterization/internal/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/reroute_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/split_surface_chords.h>
@@ -11,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -244,6 +246,34 @@ TEST_CASE("terminals are reached, and stay reached when the cut is rerouted")
       }
     CHECK(cut.length(surface) <= reached);
   }
+}
+
+TEST_CASE("no path of a rerouted cut can be shortened")
+{
+  int paths = 0;
+  for(const Named_mesh& named : many_surfaces()) {
+    INFO(named.name);
+    const Triangle_surface surface = surface_of(named.mesh);
+    Cut cut = initial_cut_of(surface, surface.number_of_vertices() / 2);
+    connect_terminal(surface, surface.number_of_vertices() - 1, cut);
+    reroute_cut(surface, cut);
+    for(const Cut_path& path : paths_longest_first(surface, cut)) {
+      // without the path the opened surface is an annulus, unless the path alone ended at a terminal
+      Cut others = cut;
+      for(int e : path.edges)
+        others.erase(surface, e);
+      const Triangle_surface annulus = opened_surface(surface, others);
+      if(annulus.border_loops.size() != 2)
+        continue;
+      ++paths;
+      const Shortest_paths across = shortest_paths(annulus, annulus.border_loops[0]);
+      double least = std::numeric_limits<double>::infinity();
+      for(int v : annulus.border_loops[1])
+        least = (std::min)(least, across.distances[v]);
+      CHECK(path.length == Approx(least));
+    }
+  }
+  CHECK(paths > 100);
 }
 
 TEST_CASE("chords are split, and the disk stays one")

@@ -4,11 +4,11 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_REROUTE_CUT_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_REROUTE_CUT_H
 
-#include <CGAL_ext/Square_parameterization/internal/Cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut_paths.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -22,6 +22,9 @@ namespace internal {
 /// and the shortest path between the loops takes its place. A loop runs along one side of the cut: which side an edge
 /// leaves a vertex of the cut on is noted at its end, for a cut may pass a vertex several times. The loop of a terminal
 /// at which the path alone ended is that vertex.
+///
+/// The two loops are walked in step, and only until the shorter one is complete: what leaves the cut elsewhere leaves
+/// the other. With a hundred handles most paths have a short loop on one side, while the other is most of the cut.
 class Cut_rerouting
 {
 public:
@@ -31,31 +34,24 @@ public:
       m_distances(surface.points.size(), 0.),
       m_parents(surface.points.size(), -1),
       m_reached_at(surface.points.size(), 0),
-      m_settled_at(surface.points.size(), 0)
+      m_settled_at(surface.points.size(), 0),
+      m_changed_in(surface.points.size(), -1)
   {}
 
-  /// longest path first, until no path can be shortened
+  /// sweeps until no path can be shortened. After a sweep over all paths come sweeps over those that meet what has
+  /// changed; when these change nothing more, all are tried again, so that the last sweep is over all of them.
   void operator()(Cut& cut)
   {
-    for(bool is_changed = true; is_changed;) {
-      is_changed = false;
-      for(const Path& path : paths_longest_first(cut)) {
-        // other paths may have taken parts of this one away, or joined it
-        const auto left = std::find_if(path.edges.begin(), path.edges.end(), [&](int e) { return cut.contains(e); });
-        if(left != path.edges.end() && reroute(path_through(*left, cut), cut))
-          is_changed = true;
-      }
+    for(bool tries_all = true;;) {
+      const bool is_changed = sweep(cut, tries_all);
+      if(!is_changed && tries_all)
+        return;
+      tries_all = !is_changed;
     }
   }
 
 private:
-  /// edges of the cut between two of its nodes
-  struct Path
-  {
-    std::vector<int> edges; ///< in order
-    int from, to;
-    double length;
-  };
+  static constexpr double LEAST_GAIN = 1e-9; // relative: rounding does not count as shorter
 
   /// an edge that leaves a vertex of the cut and is not in the cut
   struct Exit
@@ -63,66 +59,42 @@ private:
     int edge, vertex;
   };
 
-  /// the path of the cut that contains edge \p e
-  Path path_through(int e, const Cut& cut) const
+  /// a walk along one border loop of the annulus
+  struct Loop
   {
-    std::vector<int> backward;
-    const int from = follow(e, m_surface.edges[e][0], cut, backward);
-    Path path{{backward.rbegin(), backward.rend()}, from, m_surface.edges[e][1], 0};
-    path.edges.push_back(e);
-    path.to = follow(e, m_surface.edges[e][1], cut, path.edges);
-    for(int edge : path.edges)
-      path.length += m_surface.lengths[edge];
-    return path;
-  }
+    bool is_point;           ///< the loop is one vertex
+    int first, last;         ///< halfedges along the loop; equal when the walk has come round
+    std::vector<Exit> exits; ///< met so far
+  };
 
-  /// walks on from edge \p e beyond its end \p v to the next node, which it returns; puts the edges into \p walked
-  int follow(int e, int v, const Cut& cut, std::vector<int>& walked) const
+  /// tries to shorten paths, longest first; false when none was
+  bool sweep(Cut& cut, bool tries_all)
   {
-    while(!cut.is_node(m_surface, v)) {
-      const auto& incident = m_surface.vertex_edges[v];
-      e = *std::find_if(incident.begin(), incident.end(), [&](int next) { return next != e && cut.contains(next); });
-      walked.push_back(e);
-      v = m_surface.other_end(e, v);
-    }
-    return v;
-  }
-
-  /// the paths that may be changed
-  std::vector<Path> paths_longest_first(const Cut& cut) const
-  {
-    std::vector<Path> paths;
-    std::vector<bool> is_visited(m_surface.edges.size(), false);
-    for(int e : cut.edges()) {
-      if(is_visited[e] || cut.is_fixed(e))
+    bool is_changed = false;
+    ++m_sweep;
+    for(const Cut_path& path : paths_longest_first(m_surface, cut)) {
+      if(!tries_all && !is_recent(path.from) && !is_recent(path.to))
         continue;
-      paths.push_back(path_through(e, cut));
-      for(int edge : paths.back().edges)
-        is_visited[edge] = true;
+      // other paths may have taken parts of this one away, or joined it
+      const auto left = std::find_if(path.edges.begin(), path.edges.end(), [&](int e) { return cut.contains(e); });
+      if(left != path.edges.end() && reroute(path_through(m_surface, cut, *left), cut))
+        is_changed = true;
     }
-    std::stable_sort(paths.begin(), paths.end(), [](const Path& a, const Path& b) { return a.length > b.length; });
-    return paths;
+    return is_changed;
   }
 
   /// replaces the path by a shorter one; false when there is none
-  bool reroute(const Path& path, Cut& cut)
+  bool reroute(const Cut_path& path, Cut& cut)
   {
-    constexpr double LEAST_GAIN = 1e-9; // relative: rounding does not count as shorter
     for(int e : path.edges)
       cut.erase(m_surface, e);
-    const int first_mark = m_last_mark + 1, second_mark = m_last_mark + 2;
-    m_last_mark = second_mark;
-    std::vector<Exit> first_loop, second_loop;
-    const bool is_first_point = mark_loop(path.from, path.edges.front(), first_mark, cut, first_loop);
-    const bool is_second_point = mark_loop(path.to, path.edges.back(), second_mark, cut, second_loop);
-
-    const bool starts_first = first_loop.size() <= second_loop.size();
-    Search search{cut, starts_first ? second_mark : first_mark, path.length * (1 - LEAST_GAIN), -1, -1, {}};
-    if(is_first_point)
-      search.points.push_back(path.from);
-    if(is_second_point)
-      search.points.push_back(path.to);
-    find_shortest(starts_first ? first_loop : second_loop, search);
+    std::array<Loop, 2> loops{begin_loop(path.from, path.edges.front(), cut),
+                              begin_loop(path.to, path.edges.back(), cut)};
+    Search search{cut, path.length * (1 - LEAST_GAIN), -1, -1, {}};
+    for(int i = 0; i < 2; ++i)
+      if(loops[i].is_point)
+        search.points.push_back(i == 0 ? path.from : path.to);
+    find_shortest(shorter_loop(loops, cut), search);
     if(search.last_edge < 0) {
       for(int e : path.edges)
         cut.insert(m_surface, e);
@@ -133,8 +105,20 @@ private:
       shorter.push_back(m_parents[v]);
     for(int e : shorter)
       cut.insert(m_surface, e);
+    note_change(path.edges);
+    note_change(shorter);
     return true;
   }
+
+  void note_change(const std::vector<int>& edges)
+  {
+    for(int e : edges)
+      for(int v : m_surface.edges[e])
+        m_changed_in[v] = m_sweep;
+  }
+
+  /// indicates whether the cut has changed at a vertex in this sweep or the one before
+  bool is_recent(int v) const { return m_changed_in[v] >= m_sweep - 1; }
 
   bool is_boundary(int e, const Cut& cut) const { return cut.contains(e) || m_surface.is_border_edge(e); }
 
@@ -147,15 +131,13 @@ private:
     return m_surface.origin(h) == v ? h : m_surface.opposites[h];
   }
 
-  /// turns clockwise round the origin of halfedge \p h and marks the exits met, to the first edge of the cut or border,
+  /// turns clockwise round the origin of halfedge \p h and notes the exits met, to the first edge of the cut or border,
   /// whose halfedge it returns; -1 when there is none at the vertex
-  int mark_sector(int h, int number, const Cut& cut, std::vector<Exit>& exits)
+  int pass_sector(int h, const Cut& cut, std::vector<Exit>& exits) const
   {
     const int first = h, v = m_surface.origin(h);
     while(!is_boundary(m_surface.edge_of_halfedge[h], cut)) {
-      const int e = m_surface.edge_of_halfedge[h];
-      mark(e, v) = number;
-      exits.push_back({e, v});
+      exits.push_back({m_surface.edge_of_halfedge[h], v});
       h = Triangle_surface::next(m_surface.opposites[h]);
       if(h == first)
         return -1;
@@ -163,25 +145,36 @@ private:
     return h;
   }
 
-  /// marks the exits of the loop that passes \p v where edge \p e leaves; true when the loop is the vertex alone
-  bool mark_loop(int v, int e, int number, const Cut& cut, std::vector<Exit>& exits)
+  /// the loop that passes \p v where edge \p e leaves, before the first step along it
+  Loop begin_loop(int v, int e, const Cut& cut) const
   {
-    const int first = mark_sector(leaving_halfedge(e, v), number, cut, exits);
-    if(first < 0)
-      return true;
-    exits.clear(); // the walk comes by again
-    int h = first;
-    do
-      h = mark_sector(Triangle_surface::next(h), number, cut, exits);
-    while(h != first);
-    return false;
+    Loop loop{false, -1, -1, {}};
+    loop.first = pass_sector(leaving_halfedge(e, v), cut, loop.exits);
+    loop.is_point = loop.first < 0;
+    if(!loop.is_point)
+      loop.exits.clear(); // the walk comes by again
+    return loop;
   }
 
-  /// the search for the shortest path to the exits of one loop
+  /// walks both loops until one is complete, and returns its exits
+  std::vector<Exit> shorter_loop(std::array<Loop, 2>& loops, const Cut& cut) const
+  {
+    for(Loop& loop : loops)
+      if(loop.is_point)
+        return std::move(loop.exits);
+    while(true) {
+      Loop& loop = loops[0].exits.size() <= loops[1].exits.size() ? loops[0] : loops[1];
+      const int from = loop.last < 0 ? loop.first : loop.last;
+      loop.last = pass_sector(Triangle_surface::next(from), cut, loop.exits);
+      if(loop.last == loop.first)
+        return std::move(loop.exits);
+    }
+  }
+
+  /// the search for the shortest path to the exits of the other loop
   struct Search
   {
     const Cut& cut;
-    int goal;                ///< mark of the exits to reach
     double bound;            ///< length of the best path so far: longer ones do not count
     int last_edge;           ///< of the best path; -1 when there is none
     int last_vertex;         ///< where the last edge leaves from
@@ -194,12 +187,14 @@ private:
            std::find(search.points.begin(), search.points.end(), v) != search.points.end();
   }
 
-  /// Dijkstra's algorithm from the exits of one loop, through vertices that are not on the cut
+  /// Dijkstra's algorithm from the exits of one loop, through vertices that are not on the cut, to any other exit
   void find_shortest(const std::vector<Exit>& start, Search& search)
   {
     typedef std::pair<double, int> Entry;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     ++m_search_number;
+    for(const Exit& exit : start)
+      mark(exit.edge, exit.vertex) = m_search_number;
     const auto enter = [&](int from, int e, double length) {
       if(!(length < search.bound))
         return;
@@ -207,7 +202,7 @@ private:
       if(is_seam(v, search)) {
         // two points joined by one edge would leave a border of two vertices
         const bool is_whole_cut = search.points.size() == 2 && is_seam(from, search);
-        if(mark(e, v) == search.goal && !is_whole_cut) {
+        if(mark(e, v) != m_search_number && !is_whole_cut) {
           search.bound = length;
           search.last_edge = e;
           search.last_vertex = from;
@@ -233,12 +228,13 @@ private:
   }
 
   const Triangle_surface& m_surface;
-  std::vector<int> m_marks; // 2 #E: the loop that edge e leaves its first or second end from; old ones do not matter
-  int m_last_mark = 0;
-  std::vector<double> m_distances;             // #V
-  std::vector<int> m_parents;                  // #V
+  std::vector<int> m_marks;        // 2 #E: the last search that began where edge e leaves its first or second end
+  std::vector<double> m_distances; // #V
+  std::vector<int> m_parents;      // #V
   std::vector<int> m_reached_at, m_settled_at; // #V, the search that came by last
   int m_search_number = 0;
+  std::vector<int> m_changed_in; // #V, the last sweep that changed the cut there
+  int m_sweep = 0;
 };
 
 /// shortens the cut; see `Cut_rerouting`

@@ -16,7 +16,8 @@ mkdir -p corpus_readers corpus_maps
 for file in "$meshes"/{tetrahedron,cube_quad,triangle,open_cube}.off; do
   [ ! -f "$file" ] || { printf '\0'; cat "$file"; } > "corpus_readers/$(basename "$file")"
 done
-for name in readers maps; do
-  bin/fuzz_$name -max_total_time="$seconds" -timeout=120 -rss_limit_mb=4096 -max_len=2048 -len_control=0 -print_final_stats=1 \
-    corpus_$name
-done
+words=../../test/Square_parameterization/fuzz/readers.dict
+# a map of 100 faces takes a hundred times as long as without sanitizers
+common=(-max_total_time="$seconds" -timeout=600 -rss_limit_mb=4096 -len_control=0 -print_final_stats=1)
+bin/fuzz_readers "${common[@]}" -max_len=2048 -dict="$words" corpus_readers
+bin/fuzz_maps "${common[@]}" -max_len=160 corpus_maps

@@ -196,7 +196,8 @@ TEST_CASE("an OBJ file, which does not say how much it should hold, is refused w
   const std::size_t faces = text.find("f ");
   check_refusal_of_text("in.obj", text.substr(0, faces / 2), BAD_FILE);
   check_refusal_of_text("in.obj", text.substr(0, faces), BAD_FILE);
-  check_refusal_of_text("in.obj", text.substr(0, text.rfind(' ')), BAD_FILE, "2 vertices");
+  check_refusal_of_text("in.obj", text.substr(0, text.rfind(' ')), BAD_FILE,
+                        "1 face has fewer than three vertices (face ");
 }
 
 TEST_CASE("binary noise is refused")
@@ -294,7 +295,12 @@ TEST_CASE("a coordinate that is not finite is refused")
     }
   Soup soup = small;
   soup.points[5][2] = std::numeric_limits<double>::infinity();
-  check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE, "vertex 5");
+  check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE,
+                        "1 vertex has a coordinate that is not finite (vertex 5)");
+  for(int v : {2, 3, 7})
+    soup.points[v][1] = std::numeric_limits<double>::quiet_NaN();
+  check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE,
+                        "4 vertices have a coordinate that is not finite (vertex 2, vertex 3, vertex 5, ...)");
   check_refusal_of_text("in.off", "OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n", BAD_FILE);
 }
 
@@ -304,8 +310,10 @@ TEST_CASE("a face that names no vertex of the file is refused")
     Soup soup = small;
     soup.faces[7][1] = v;
     check_refusal_of_text("in.off", off(soup), BAD_FILE);
-    check_refusal_of_text("in.ply", ply(soup), BAD_FILE);
-    check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE);
+    const std::string sentence =
+        "1 face names a vertex that does not exist (face 7 names vertex " + std::to_string(v) + " of ";
+    check_refusal_of_text("in.ply", ply(soup), BAD_FILE, sentence);
+    check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE, sentence);
     if(v > 0 || v == -100000) // small negative numbers of OBJ count from the last vertex
       check_refusal_of_text("in.obj", obj(soup), BAD_FILE);
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -57,7 +58,9 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
     // among them std::bad_alloc, for a header that promises more than the file holds
   }
   if(!is_read || (points.empty() && soup.faces.empty()))
-    throw Malformed_file("cannot read '" + path + "': it is not a complete OFF, OBJ, PLY or STL file");
+    throw Malformed_file("cannot read '" + path +
+                         "': it is not a complete OFF, OBJ, PLY or STL file, or has a coordinate "
+                         "or an index that is no number or out of range");
   for(const Kernel::Point_3& p : points)
     soup.points.emplace_back(p.x(), p.y(), p.z());
   return soup;
@@ -66,19 +69,32 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
 /// refuses coordinates that are not finite and faces that have too few vertices or name one that does not exist
 inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, const std::string& path)
 {
+  using CGAL_ext::internal::NAMED_PLACES;
+  std::size_t infinite = 0, short_faces = 0, out_of_range = 0;
+  std::vector<std::string> infinite_places, short_places, out_of_range_places;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
-    if(!soup.points[v].allFinite())
-      throw Malformed_file("'" + path + "' is malformed: vertex " + std::to_string(v) +
-                           " has a coordinate that is not finite");
+    if(!soup.points[v].allFinite() && ++infinite <= NAMED_PLACES)
+      infinite_places.push_back("vertex " + std::to_string(v));
   for(std::size_t f = 0; f < soup.faces.size(); ++f) {
-    if(soup.faces[f].size() < 3)
-      throw Malformed_file("'" + path + "' is malformed: face " + std::to_string(f) + " has " +
-                           std::to_string(soup.faces[f].size()) + " vertices");
-    for(std::size_t v : soup.faces[f])
-      if(v >= soup.points.size())
-        throw Malformed_file("'" + path + "' is malformed: face " + std::to_string(f) + " names vertex " +
-                             std::to_string(v) + " of " + std::to_string(soup.points.size()));
+    const auto& face = soup.faces[f];
+    const std::string name = "face " + std::to_string(f);
+    if(face.size() < 3 && ++short_faces <= NAMED_PLACES)
+      short_places.push_back(name + " has " + std::to_string(face.size()));
+    const auto missing =
+        std::find_if(face.begin(), face.end(), [&soup](std::size_t v) { return v >= soup.points.size(); });
+    if(missing != face.end() && ++out_of_range <= NAMED_PLACES) // a negative number was read as a large one
+      out_of_range_places.push_back(name + " names vertex " + std::to_string(static_cast<std::ptrdiff_t>(*missing)) +
+                                    " of " + std::to_string(soup.points.size()));
   }
+  CGAL_ext::internal::Complaint complaint;
+  complaint.add(infinite, "vertex has a coordinate that is not finite", "vertices have a coordinate that is not finite",
+                infinite_places);
+  complaint.add(short_faces, "face has fewer than three vertices", "faces have fewer than three vertices",
+                short_places);
+  complaint.add(out_of_range, "face names a vertex that does not exist", "faces name vertices that do not exist",
+                out_of_range_places);
+  if(!complaint.text().empty())
+    throw Malformed_file("'" + path + "' is malformed: " + complaint.text());
 }
 
 /// reads seams: two vertex numbers a line; returns them as vertices of the conditioned soup

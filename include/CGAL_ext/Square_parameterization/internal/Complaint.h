@@ -33,6 +33,9 @@ public:
     say(text);
   }
 
+  /// all that was said; empty for nothing
+  const std::string& text() const { return m_text; }
+
   void throw_if_any(CGAL::Surface_mesh_parameterization::Error_code code) const
   {
     if(!m_text.empty())

@@ -268,10 +268,11 @@ TEST_CASE("a PLY header that CGAL's reader cannot take is refused, its variants 
   check_refusal_of_text("in.ply", replaced("element", "elephant"), BAD_FILE, "belongs to no element");
   check_refusal_of_text("in.ply", replaced("element face", "element other 1000000000000000000\nelement face"), BAD_FILE,
                         "no properties");
-  for(const std::string& unknown : {"property integer i", "property list float int i", "property list uchar index i"})
-    check_refusal_of_text("in.ply",
-                          replaced("element face", "element other 1000000000000000000\n" + unknown + "\nelement face"),
-                          BAD_FILE, "property 'i' is of no type");
+  for(const char* unknown : {"property integer i", "property list float int i", "property list uchar index i"})
+    check_refusal_of_text(
+        "in.ply",
+        replaced("element face", "element other 1000000000000000000\n" + std::string(unknown) + "\nelement face"),
+        BAD_FILE, "property 'i' is of no type");
   check_refusal_of_text("in.ply", "ply\nformat ascii 1.0\nelement other 1000000000000000000\n", BAD_FILE,
                         "header has no end");
   for(const char* type : {"int", "uchar", "ushort", "list uchar double"})

@@ -162,6 +162,11 @@ TEST_CASE("a disk gets no seams, a surface that may not be cut is refused")
   CHECK(result.status == SMP::ERROR_NO_TOPOLOGICAL_DISC);
   CHECK_THAT(result.message, Contains("not a disk"));
   CHECK(none.vertices.empty()); // nothing was written
+
+  options = Cut_options();
+  options.max_cut_length = -1;
+  CHECK(mark_seams(sphere, none.edge_map(), none.vertex_map(), parameters::options(options)).status ==
+        SMP::ERROR_WRONG_PARAMETER);
 }
 
 TEST_CASE("edges that are marked before stay seams")

@@ -95,6 +95,7 @@ Seam_result mark_seams(const TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVer
       CP::choose_parameter(CP::get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
   Seam_result result;
   try {
+    internal::check_cut_options(options);
     const auto disk = internal::make_face_graph_surface(mesh, vpm);
     std::vector<std::array<int, 2>> given;
     for(int e = 0; e < disk.surface.number_of_edges(); ++e)

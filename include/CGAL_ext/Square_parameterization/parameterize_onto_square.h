@@ -36,9 +36,7 @@ inline void check_options(const Square_map_options& options)
         "the balance is not in [0, 1], a tolerance is negative, or the weights or eta of the start are wrong");
   if(!options.minimization.is_valid())
     throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
-  if(!options.cut.is_valid())
-    throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
-                     "the weight or the greatest length of the cut is negative, or its balance is not in [0, 1]");
+  check_cut_options(options.cut);
 }
 
 /// positions in the border loop of four vertices, given by their place in the order of the mesh

@@ -16,6 +16,14 @@
 namespace CGAL_ext {
 namespace internal {
 
+/// refuses options that are out of range
+inline void check_cut_options(const Cut_options& options)
+{
+  if(!options.is_valid())
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                     "the weight or the greatest length of the cut is negative, or its balance is not in [0, 1]");
+}
+
 /// puts seams given as pairs of vertices into the cut; border edges need no cut.
 /// Throws `Unmappable` when a pair is not an edge, or the seams separate the surface.
 inline void fix_seams(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams, Cut& cut)

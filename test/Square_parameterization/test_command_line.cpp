@@ -258,6 +258,20 @@ TEST_CASE("a header that promises more than the file holds is refused")
   check_refusal_of_text("in.stl", facets, BAD_FILE);
 }
 
+TEST_CASE("what OFF files say beside coordinates is ignored, also where it is incomplete")
+{
+  const std::string text = off(small).substr(3); // without the keyword
+  const Temporary_folder folder;
+  for(const char* keyword : {"STOFF", "COFF", "NOFF", "STCNOFF", "# comment\n\n #\n STOFF"})
+    CHECK(check_map(folder.add("in.off", keyword + text)).map.points == small.points);
+  std::istringstream lines(text);
+  std::string colored = "COFF";
+  std::size_t number = 0;
+  for(std::string line; std::getline(lines, line); ++number) // a color for the second vertex alone
+    colored += line + (number == 3 ? " 255 0\n" : "\n");
+  CHECK(check_map(folder.add("in.off", colored)).map.points == small.points);
+}
+
 TEST_CASE("a PLY header that CGAL's reader cannot take is refused, its variants are read")
 {
   const std::string text = ply(small);

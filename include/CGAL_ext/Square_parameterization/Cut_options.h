@@ -35,6 +35,8 @@ struct Cut_options
   /// `BEST`: balance of the energy by which cuts are judged: see `Balanced_minimization`
   double balance = 0.3;
 
+  unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
+
   /// indicates whether all numbers are in their range
   bool is_valid() const { return cut_weight >= 0 && max_cut_length >= 0 && balance >= 0 && balance <= 1; }
 };

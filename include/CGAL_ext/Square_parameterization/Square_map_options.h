@@ -31,7 +31,9 @@ struct Square_map_options
   Stretch_minimization minimization;    ///< the iteration; `Hybrid_corner_search` suits it
   Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
   Chords chords = Chords::ALL;          ///< which chords are split
-  Cut_options cut; ///< how a surface that is not a disk is cut; its balance is that of `balanced`, where there is one
+  /// how a surface that is not a disk is cut; its balance is that of `balanced`, where there is one, and its number of
+  /// threads that of `search_options`
+  Cut_options cut;
 
   /// edges to cut along in any case, each as two indices in the order of `vertices(mesh)`; what they lack is added
   std::vector<std::array<std::size_t, 2>> seams;

@@ -8,6 +8,7 @@
 
 #include "Memory_limit.h"
 #include "check_ply_header.h"
+#include "read_off.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -37,6 +39,14 @@ struct Malformed_file : std::runtime_error
 // what a reader may allocate, in bytes; real files need a third of it
 constexpr std::size_t MEMORY_TO_START_READING = 1 << 28, MEMORY_PER_BYTE = 64;
 
+inline bool has_extension(const std::string& path, const std::string& lower_case)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == lower_case;
+}
+
 /// reads points and polygons through CGAL's readers (OFF, OBJ, PLY, STL by extension)
 inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
 {
@@ -53,7 +63,9 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
   bool is_read = false;
   try {
     const Memory_limit limit(MEMORY_TO_START_READING + MEMORY_PER_BYTE * std::filesystem::file_size(path));
-    is_read = CGAL::IO::read_polygon_soup(path, points, soup.faces, CGAL::parameters::verbose(false));
+    is_read = has_extension(path, ".off")
+                  ? read_off(path, points, soup.faces)
+                  : CGAL::IO::read_polygon_soup(path, points, soup.faces, CGAL::parameters::verbose(false));
   } catch(const std::exception&) {
     // among them std::bad_alloc, for a header that promises more than the file holds
   }

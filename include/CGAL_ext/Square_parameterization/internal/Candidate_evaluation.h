@@ -6,11 +6,9 @@
 
 #include <CGAL_ext/Square_parameterization/Search_visitor.h>
 #include <CGAL_ext/Square_parameterization/internal/Minimized_map.h>
+#include <CGAL_ext/Square_parameterization/internal/Thread_team.h>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <functional>
 #include <map>
@@ -35,7 +33,6 @@ struct Search_cancelled
 ///
 /// The result does not depend on the number of threads: each map is computed from its candidate alone, and among equal
 /// stretches the lowest candidate wins. Memory: one map, one workspace per thread, and one number per evaluation.
-/// This is the only file that knows threads.
 class Candidate_evaluation
 {
 public:
@@ -50,10 +47,7 @@ public:
                        unsigned int number_of_threads, Search_visitor* visitor, std::function<bool(double)> callback)
     : m_number_of_candidates(number_of_candidates),
       m_workers(make_worker),
-      m_thread_limit(tbb::global_control::max_allowed_parallelism,
-                     thread_limit(useful_threads(number_of_threads, number_of_candidates))),
-      m_arena(number_of_threads == 0 ? static_cast<int>(tbb::task_arena::automatic)
-                                     : useful_threads(number_of_threads, number_of_candidates)),
+      m_team(number_of_threads, number_of_candidates),
       m_visitor(visitor),
       m_callback(std::move(callback))
   {}
@@ -72,16 +66,11 @@ public:
         warm_starts.push_back(start_from_neighbors ? nearest_warm_start(candidate) : nullptr);
       }
     std::vector<char> is_done(missing.size(), false);
-    m_arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, missing.size(), 1),
-          [&](const auto& range) {
-            for(std::size_t i = range.begin(); i != range.end() && may_continue(); ++i) {
-              evaluate(missing[i], warm_starts[i], start_from_neighbors);
-              is_done[i] = true;
-            }
-          },
-          tbb::simple_partitioner());
+    m_team(missing.size(), [&](std::size_t i) {
+      if(!may_continue())
+        return;
+      evaluate(missing[i], warm_starts[i], start_from_neighbors);
+      is_done[i] = true;
     });
     for(std::size_t i = 0; i < missing.size(); ++i)
       if(!is_done[i])
@@ -112,19 +101,6 @@ public:
 
 private:
   static constexpr double INFEASIBLE = std::numeric_limits<double>::infinity();
-
-  /// more threads than candidates would have nothing to do
-  static int useful_threads(unsigned int number_of_threads, int number_of_candidates)
-  {
-    return static_cast<int>((std::min)(number_of_threads, static_cast<unsigned int>(number_of_candidates)));
-  }
-
-  /// TBB has as many threads as cores unless it is allowed more
-  static std::size_t thread_limit(int number_of_threads)
-  {
-    return (std::max)(static_cast<std::size_t>(number_of_threads),
-                      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  }
 
   /// asks the callback and the visitor, one thread at a time
   bool may_continue()
@@ -174,8 +150,7 @@ private:
 
   const int m_number_of_candidates;
   tbb::enumerable_thread_specific<Worker> m_workers;
-  tbb::global_control m_thread_limit;
-  tbb::task_arena m_arena;
+  Thread_team m_team;
   Search_visitor* m_visitor;
   std::function<bool(double)> m_callback;
 

@@ -72,6 +72,7 @@ auto cut_mesh(TriangleMesh& mesh, VertexPointMap vpm, const Square_map_options& 
 {
   const auto disk = make_face_graph_surface(mesh, vpm);
   Cut_options cut_options = options.cut;
+  cut_options.number_of_threads = options.search_options.number_of_threads;
   if(options.balanced)
     cut_options.balance = options.balanced->balance;
   const Cut cut = cut_to_disk(disk.surface, surface_seams(disk, options.seams), cut_options, report);

@@ -63,14 +63,6 @@ inline Cut complete_seams(const Triangle_surface& surface, const std::vector<std
   return cut;
 }
 
-/// the shortest of the rerouted initial cuts
-inline Cut shortest_cut(const Triangle_surface& surface)
-{
-  const std::vector<Cut> cuts = rerouted_initial_cuts(surface, Cut_growth_options().roots);
-  return *std::min_element(cuts.begin(), cuts.end(),
-                           [&surface](const Cut& a, const Cut& b) { return a.length(surface) < b.length(surface); });
-}
-
 /// a copy of about \p faces triangles; nothing when the surface has hardly more, or cannot be simplified
 inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces)
 {
@@ -79,7 +71,7 @@ inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& s
 
 /// a cut that leaves little stretch. Large surfaces are decided on by a simplified copy; a cut that was grown on a still
 /// simpler one competes there, for growth ends in one of many local minima.
-inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options, Cut_report& report)
+inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options, Thread_team& team, Cut_report& report)
 {
   constexpr int DECISION_FACES = 1200, SIMPLER_FACES = 700;
   Cut_growth_options growth;
@@ -90,12 +82,11 @@ inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options,
   const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
   const Triangle_surface& decided = copy ? *copy : surface;
   report.decision_faces = decided.number_of_faces();
-  Cut_growth decision(decided, growth, report);
-  std::vector<Cut> cuts{decision.grow(rerouted_initial_cuts(decided, growth.roots))};
+  Cut_growth decision(decided, growth, team, report);
+  std::vector<Cut> cuts{decision.grow()};
   if(const std::optional<Triangle_surface> simpler = simplified_copy(decided, SIMPLER_FACES)) {
     Cut_report ignored;
-    Cut_growth simpler_decision(*simpler, growth, ignored);
-    cuts.push_back(lift_cut(*simpler, simpler_decision.grow(rerouted_initial_cuts(*simpler, growth.roots)), decided));
+    cuts.push_back(lift_cut(*simpler, Cut_growth(*simpler, growth, team, ignored).grow(), decided));
   }
   const Cut best = decision.polish(std::move(cuts));
   return copy ? lift_cut(*copy, best, surface) : best;
@@ -108,6 +99,8 @@ inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options,
 inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
                        const Cut_options& options, Cut_report& report)
 {
+  constexpr int MOST_COMPETITORS = 16; // cuts that are scored concurrently
+  Thread_team team(options.number_of_threads, MOST_COMPETITORS);
   Cut cut(surface);
   if(!seams.empty())
     cut = complete_seams(surface, seams);
@@ -117,9 +110,9 @@ inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::a
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
                      "the surface is not a disk, and it is not to be cut");
   else if(options.mode == Cut_mode::BEST)
-    cut = best_cut(surface, options, report);
+    cut = best_cut(surface, options, team, report);
   else
-    cut = shortest_cut(surface);
+    cut = shortest_cut(surface, team);
   report.seam_edges = cut.edges().size();
   report.cut_length = cut.length(surface) / std::sqrt(surface.area);
   return cut;

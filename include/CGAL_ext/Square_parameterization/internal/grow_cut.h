@@ -5,9 +5,8 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_GROW_CUT_H
 
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
-#include <CGAL_ext/Square_parameterization/internal/initial_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/reroute_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/score_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/candidate_terminals.h>
+#include <CGAL_ext/Square_parameterization/internal/rerouted_initial_cuts.h>
 
 #include <algorithm>
 #include <limits>
@@ -35,85 +34,21 @@ struct Cut_growth_options
   int patience = 3;   ///< additions in a row that may fail to lower the score
   int candidates = 5; ///< farthest points, and as many stretch maxima, for a terminal that is added or moved
   int rounds_of_moves = 2;
-  int roots = 12; ///< trees tried on a closed surface with handles
 };
 
-/// vertices far from the seams, each far from those before it, too
-inline std::vector<int> successive_farthest_points(const Triangle_surface& surface, const Cut& cut, int count)
-{
-  std::vector<int> sources = seam_vertices(surface, cut), farthest;
-  while(static_cast<int>(farthest.size()) < count) {
-    const int v = farthest_vertex(shortest_paths(surface, sources));
-    if(std::find(sources.begin(), sources.end(), v) != sources.end())
-      break; // no vertex is left
-    farthest.push_back(v);
-    sources.push_back(v);
-  }
-  return farthest;
-}
-
-/// the vertices away from the seams where the map of the opened surface onto the circle stretches most: local maxima,
-/// highest first
-inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, const Cut& cut, int count)
-{
-  std::vector<double> sigma;
-  try {
-    const Patch patch = patch_of_cut(surface, cut);
-    Stretch_minimization minimization;
-    minimization.maximum_iterations = 5;
-    const Stretch_iteration iteration = minimization.make_iteration(patch);
-    Stretch_iteration::Workspace workspace;
-    const Minimized_map map =
-        iteration.minimize(circular_border(patch.border_lengths, std::sqrt(1 / EIGEN_PI)), 1, workspace);
-    if(map.uv.rows() == 0)
-      return {};
-    stretch_energy(patch, map.uv, sigma);
-  } catch(const Unmappable&) {
-    return {};
-  }
-  const auto is_seam = [&](int v) { return cut.degree(v) > 0 || surface.is_border_vertex[v]; };
-  std::vector<int> maxima;
-  for(int v = 0; v < surface.number_of_vertices(); ++v) {
-    const auto& incident = surface.vertex_edges[v];
-    if(!is_seam(v) && std::none_of(incident.begin(), incident.end(), [&](int e) {
-         const int w = surface.other_end(e, v);
-         return !is_seam(w) && sigma[w] > sigma[v];
-       }))
-      maxima.push_back(v);
-  }
-  std::stable_sort(maxima.begin(), maxima.end(), [&sigma](int a, int b) { return sigma[a] > sigma[b]; });
-  maxima.resize((std::min)(maxima.size(), static_cast<std::size_t>(count)));
-  return maxima;
-}
-
-/// the cuts that growth may start from: one for each of several roots on a closed surface with handles, where the
-/// shortest is often not the best; else one
-inline std::vector<Cut> rerouted_initial_cuts(const Triangle_surface& surface, int roots)
-{
-  std::vector<Cut> cuts;
-  std::vector<int> sources{0};
-  const bool has_choice = surface.border_loops.empty() && surface.genus() > 0;
-  for(int i = 0; i < (has_choice ? roots : 1); ++i) {
-    cuts.emplace_back(surface);
-    initial_cut(surface, sources.back(), cuts.back());
-    reroute_cut(surface, cuts.back());
-    sources.push_back(farthest_vertex(shortest_paths(surface, sources)));
-  }
-  return cuts;
-}
-
-/// decides on a cut of one surface: terminals are added, dropped and moved while that pays. Every cut is scored once.
+/// decides on a cut of one surface: terminals are added, dropped and moved while that pays. Every cut is scored once, and
+/// those that compete concurrently: the decision is the same for any number of threads.
 class Cut_growth
 {
 public:
-  Cut_growth(const Triangle_surface& surface, const Cut_growth_options& options, Cut_report& report)
-    : m_surface(surface), m_options(options), m_report(report)
+  Cut_growth(const Triangle_surface& surface, const Cut_growth_options& options, Thread_team& team, Cut_report& report)
+    : m_surface(surface), m_options(options), m_team(team), m_report(report)
   {}
 
-  /// the best cut met on the way from the best of \p starts to long cuts, and back
-  Cut grow(std::vector<Cut> starts)
+  /// the best cut met on the way from the best of the initial cuts to long ones, and back
+  Cut grow()
   {
-    Scored_cut best = best_start(std::move(starts));
+    Scored_cut best = best_start(rerouted_initial_cuts(m_surface, m_team));
     Scored_cut overgrown = add_terminals(best);
     drop_terminals(std::move(overgrown), best);
     return best.cut;
@@ -136,24 +71,33 @@ private:
     int terminal;
   };
 
-  Cut_score score(const Cut& cut)
+  /// the scores of the cuts, in their order
+  std::vector<Cut_score> scores(const std::vector<Trial>& trials)
   {
-    const auto [place, is_new] = m_scores.try_emplace(cut.edges());
-    if(is_new)
-      place->second = score_cut(m_surface, cut, m_options.scoring);
-    return place->second;
+    std::vector<std::pair<const Cut*, Cut_score*>> missing;
+    std::vector<const Cut_score*> places;
+    for(const Trial& trial : trials) {
+      const auto [place, is_new] = m_scores.try_emplace(trial.cut.edges());
+      places.push_back(&place->second);
+      if(is_new)
+        missing.emplace_back(&trial.cut, &place->second);
+    }
+    m_team(missing.size(),
+           [&](std::size_t i) { *missing[i].second = score_cut(m_surface, *missing[i].first, m_options.scoring); });
+    std::vector<Cut_score> result;
+    for(const Cut_score* place : places)
+      result.push_back(*place);
+    return result;
   }
 
-  /// the best of the cuts; infinite when there is none
+  /// the best of the cuts (ties: the first)
   Scored_cut best_of(std::vector<Trial> trials)
   {
-    Scored_cut best{Cut(m_surface), {}, -1};
-    for(Trial& trial : trials) {
-      const Cut_score trial_score = score(trial.cut);
-      if(&trial == &trials.front() || trial_score.score < best.score.score)
-        best = {std::move(trial.cut), trial_score, trial.terminal};
-    }
-    return best;
+    const std::vector<Cut_score> all = scores(trials);
+    const auto least = std::min_element(all.begin(), all.end(),
+                                        [](const Cut_score& a, const Cut_score& b) { return a.score < b.score; });
+    Trial& best = trials[least - all.begin()];
+    return {std::move(best.cut), *least, best.terminal};
   }
 
   Scored_cut best_start(std::vector<Cut> cuts)
@@ -172,16 +116,18 @@ private:
   }
 
   /// the cuts that reach one terminal more, of those that are not too long
-  std::vector<Trial> extensions(const Cut& shorter, const std::vector<int>& terminals) const
+  std::vector<Trial> extensions(const Cut& shorter, const std::vector<int>& terminals)
   {
-    std::vector<Trial> trials;
-    for(int terminal : terminals) {
-      Cut cut = shorter;
-      connect_terminal(m_surface, terminal, cut);
-      reroute_cut(m_surface, cut);
-      if(cut.length(m_surface) <= m_options.max_cut_length * std::sqrt(m_surface.area))
-        trials.push_back({std::move(cut), terminal});
-    }
+    std::vector<Trial> trials(terminals.size(), {shorter, -1});
+    m_team(terminals.size(), [&](std::size_t i) {
+      trials[i].terminal = terminals[i];
+      connect_terminal(m_surface, terminals[i], trials[i].cut);
+      reroute_cut(m_surface, trials[i].cut);
+    });
+    const double limit = m_options.max_cut_length * std::sqrt(m_surface.area);
+    trials.erase(std::remove_if(trials.begin(), trials.end(),
+                                [&](const Trial& trial) { return trial.cut.length(m_surface) > limit; }),
+                 trials.end());
     return trials;
   }
 
@@ -201,7 +147,8 @@ private:
     Scored_cut current = best;
     int failures = 0;
     for(int i = 0; i < m_options.maximum_additions && failures < m_options.patience; ++i) {
-      std::vector<Trial> trials = extensions(current.cut, candidate_terminals(current.cut));
+      std::vector<Trial> trials =
+          extensions(current.cut, candidate_terminals(m_surface, current.cut, m_options.candidates));
       if(trials.empty())
         break;
       current = best_of(std::move(trials));
@@ -213,15 +160,6 @@ private:
     return current;
   }
 
-  std::vector<int> candidate_terminals(const Cut& cut) const
-  {
-    std::vector<int> candidates = successive_farthest_points(m_surface, cut, m_options.candidates);
-    for(int v : circle_stretch_maxima(m_surface, cut, m_options.candidates))
-      if(std::find(candidates.begin(), candidates.end(), v) == candidates.end())
-        candidates.push_back(v);
-    return candidates;
-  }
-
   /// a sphere is not cut without two terminals
   std::size_t least_terminals() const { return m_surface.border_loops.empty() && m_surface.genus() == 0 ? 2 : 0; }
 
@@ -230,7 +168,9 @@ private:
   {
     std::vector<Trial> trials;
     for(int terminal : cut.terminals())
-      trials.push_back({without(terminal, cut), terminal});
+      trials.push_back({cut, terminal});
+    m_team(trials.size(),
+           [&](std::size_t i) { trials[i].cut = without(trials[i].terminal, std::move(trials[i].cut)); });
     return best_of(std::move(trials));
   }
 
@@ -258,10 +198,13 @@ private:
         if(best.cut.terminals().size() <= least_terminals())
           return;
         const Cut shorter = without(terminal, best.cut);
-        std::vector<int> places = candidate_terminals(shorter);
+        std::vector<int> places = candidate_terminals(m_surface, shorter, m_options.candidates);
         for(int e : m_surface.vertex_edges[terminal])
           places.push_back(m_surface.other_end(e, terminal));
-        Scored_cut moved = best_of(extensions(shorter, places));
+        std::vector<Trial> trials = extensions(shorter, places);
+        if(trials.empty())
+          continue;
+        Scored_cut moved = best_of(std::move(trials));
         if(moved.score.score < best.score.score) {
           best = std::move(moved);
           record(Cut_step::MOVED, best);
@@ -273,6 +216,7 @@ private:
 
   const Triangle_surface& m_surface;
   const Cut_growth_options& m_options;
+  Thread_team& m_team;
   Cut_report& m_report;
   std::map<std::vector<int>, Cut_score> m_scores; // per edges of a cut
 };

@@ -17,6 +17,7 @@
 
 #include <iterator>
 #include <map>
+#include <optional>
 
 using namespace CGAL_ext;
 using Catch::Matchers::Contains;
@@ -291,4 +292,24 @@ TEST_CASE("a closed mesh is cut along given seams, or refused")
 
   options.cut.cut_weight = -1;
   CHECK(map_onto_square(mesh, options).result.status == SMP::ERROR_WRONG_PARAMETER);
+}
+
+TEST_CASE("the cut and the stretch do not depend on the scale")
+{
+  const Closed_mesh mesh = ellipsoid(2, 2);
+  std::optional<Square_map_result<Surface_mesh>> first;
+  for(double scale : {1., 1e-8, 1e8, 1e-150, 1e200}) { // squares underflow and overflow
+    CAPTURE(scale);
+    Closed_mesh scaled = mesh;
+    for(Eigen::Vector3d& p : scaled.points)
+      p *= scale;
+    Surface_mesh cut = make_mesh<Surface_mesh>(scaled);
+    const auto result = map_onto_square(cut, {}).result;
+    REQUIRE(result.status == SMP::OK);
+    if(!first)
+      first = result;
+    CHECK(result.cut.seam_edges == first->cut.seam_edges);
+    CHECK(result.cut.cut_length == Approx(first->cut.cut_length).epsilon(1e-12));
+    CHECK(result.measures.l2 == Approx(first->measures.l2).epsilon(1e-9));
+  }
 }

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_REPORT_H
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL_ext {
@@ -16,16 +17,17 @@ struct Cut_step
 {
   enum Kind
   {
-    INITIAL, ///< the best of the cuts to begin with: those that the topology needs; later, those that were grown
-    ADDED,   ///< the cut was extended to a terminal
-    DROPPED, ///< the cut was freed from a terminal
-    MOVED    ///< a terminal of the cut gave way to another
+    INITIAL, ///< a cut to begin with, as the topology needs it; later, one that was selected for refinement
+    ADDED,   ///< a cut that was extended to a terminal
+    DROPPED, ///< a cut that was freed from a terminal
+    MOVED,   ///< a cut of which a terminal gave way to another
+    JUDGED   ///< one of those that were judged at last: the best of these was taken
   };
 
   Kind kind;
-  int terminal;   ///< vertex of the surface that was decided on; -1 for the initial cut
+  int terminal;   ///< vertex of the surface that was decided on; -1 for none
   double score;   ///< `stretch` plus the weighted length; infinite when no one-to-one map was found
-  double stretch; ///< least L2 stretch found for the cut with a few corners
+  double stretch; ///< L2 stretch of a quick map; for those that were judged, of a map with its corners searched
   double length;  ///< of the cut, in units of the square root of the area
 };
 
@@ -36,6 +38,9 @@ struct Cut_report
 {
   std::size_t seam_edges = 0;     ///< number of edges cut
   double cut_length = 0;          ///< in units of the square root of the area, every seam counted once
+  /// of the cut that was taken, on the surface that was decided on; infinite when there was nothing to decide
+  double score = std::numeric_limits<double>::infinity();
+  double stretch = std::numeric_limits<double>::infinity(); ///< its L2 stretch there
   std::vector<Cut_step> history;  ///< steps of the decision; empty when there was nothing to decide
   std::size_t decision_faces = 0; ///< faces of the surface decided on: fewer than the input's when that was simplified
 };

@@ -32,7 +32,6 @@ struct Choices_of_bytes
   }
 
   CGAL_ext::Square_map_options options;
-  CGAL_ext::Cut_options cut_options;
   CGAL_ext::internal::Conditioning_options conditioning_options;
   bool has_seams = false, has_corners = false;
   std::array<int, 4> places; ///< bytes that say which edges are seams and which vertices are corners
@@ -73,11 +72,11 @@ private:
   {
     using CGAL_ext::Cut_mode;
     using CGAL_ext::internal::Topology;
-    cut_options.mode = byte % 4 == 0 ? Cut_mode::BEST : byte % 4 == 3 ? Cut_mode::NONE : Cut_mode::SHORTEST;
+    options.cut.mode = byte % 4 == 0 ? Cut_mode::BEST : byte % 4 == 3 ? Cut_mode::NONE : Cut_mode::SHORTEST;
     has_seams = byte / 4 % 4 == 3;
     if(byte / 16 % 4 == 3)
-      cut_options.max_cut_length = 0.5;
-    const bool is_cut = cut_options.mode != Cut_mode::NONE || has_seams;
+      options.cut.max_cut_length = 0.5;
+    const bool is_cut = options.cut.mode != Cut_mode::NONE || has_seams;
     conditioning_options.topology = is_cut ? Topology::CONNECTED : Topology::DISK;
     conditioning_options.component = byte / 16 == 8 ? 1 : 0;
     conditioning_options.triangulate = byte / 64 > 0;

@@ -4,7 +4,6 @@
 #ifndef CGAL_EXT_FUZZ_CHECK_MAP_H
 #define CGAL_EXT_FUZZ_CHECK_MAP_H
 
-#include <CGAL_ext/Square_parameterization/Cut_report.h>
 #include <CGAL_ext/Square_parameterization/internal/Surface_soup.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
@@ -30,42 +29,8 @@ inline void demand(bool condition, const std::string& sentence)
     throw std::logic_error(sentence);
 }
 
-/// the number of faces at every edge
-inline std::map<std::pair<std::size_t, std::size_t>, int> faces_at_edges(const CGAL_ext::internal::Surface_soup& soup)
-{
-  std::map<std::pair<std::size_t, std::size_t>, int> edges;
-  for(const auto& face : soup.faces)
-    for(std::size_t k = 0; k < 3; ++k)
-      ++edges[std::minmax({face[k], face[(k + 1) % 3]})];
-  return edges;
-}
-
-/// throws unless the cut surface is the uncut one with vertices copied, as many edges parted as the report says, the
-/// seams among them
-inline void check_cut(const CGAL_ext::internal::Surface_soup& uncut, const std::vector<std::array<int, 2>>& seams,
-                      const CGAL_ext::internal::Surface_soup& cut, const std::vector<int>& originals,
-                      const CGAL_ext::Cut_report& report)
-{
-  demand(originals.size() == cut.points.size() && uncut.faces.size() == cut.faces.size(), "the cut lost something");
-  for(std::size_t v = 0; v < originals.size(); ++v)
-    demand(cut.points[v] == uncut.points[originals[v]], "a copied vertex is elsewhere");
-  const auto edges_before = faces_at_edges(uncut), edges = faces_at_edges(cut);
-  demand(edges.size() == edges_before.size() + report.seam_edges, "the number of seams is not that of the report");
-  std::map<std::pair<std::size_t, std::size_t>, int> largest_edge; // faces at the edges that an edge was parted into
-  for(const auto& [edge, faces] : edges) {
-    int& largest = largest_edge[std::minmax<std::size_t>(
-        {static_cast<std::size_t>(originals[edge.first]), static_cast<std::size_t>(originals[edge.second])})];
-    largest = (std::max)(largest, faces);
-  }
-  for(const auto& [a, b] : seams)
-    demand(largest_edge.at(std::minmax<std::size_t>({std::size_t(a), std::size_t(b)})) == 1, "a seam is not cut");
-  for(std::size_t f = 0; f < cut.faces.size(); ++f)
-    for(std::size_t k = 0; k < 3; ++k)
-      demand(static_cast<std::size_t>(originals[cut.faces[f][k]]) == uncut.faces[f][k], "a face has changed");
-}
-
-/// the mesh of triangles that must be one disk
-inline Fuzz_mesh mesh_of_disk(const CGAL_ext::internal::Surface_soup& soup)
+/// the mesh of conditioned triangles
+inline Fuzz_mesh mesh_of(const CGAL_ext::internal::Surface_soup& soup)
 {
   typedef Fuzz_mesh::Vertex_index Vertex;
   Fuzz_mesh mesh;
@@ -74,6 +39,12 @@ inline Fuzz_mesh mesh_of_disk(const CGAL_ext::internal::Surface_soup& soup)
   for(const auto& face : soup.faces)
     demand(mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2])) != Fuzz_mesh::null_face(),
            "a conditioned soup is no mesh");
+  return mesh;
+}
+
+/// throws unless the mesh has one border and Euler characteristic 1
+inline void check_disk(const Fuzz_mesh& mesh)
+{
   std::set<Fuzz_mesh::Halfedge_index> border;
   for(Fuzz_mesh::Halfedge_index h : mesh.halfedges())
     if(mesh.is_border(h))
@@ -87,7 +58,31 @@ inline Fuzz_mesh mesh_of_disk(const CGAL_ext::internal::Surface_soup& soup)
   demand(border.empty(), "the cut surface has several borders");
   demand(mesh.number_of_vertices() + mesh.number_of_faces() == mesh.number_of_edges() + 1,
          "the cut surface is no disk");
-  return mesh;
+}
+
+/// throws unless the cut surface is the uncut one with vertices copied and edges split, as the report says, and no given
+/// seam is left in one piece
+inline void check_cut(const Fuzz_mesh& uncut, const std::vector<std::array<std::size_t, 2>>& seams,
+                      const Fuzz_mesh& cut, const CGAL_ext::Square_map_result<Fuzz_mesh>& result)
+{
+  typedef Fuzz_mesh::Vertex_index Vertex;
+  const std::size_t splits = result.border_edges_split + result.chords_split;
+  demand(cut.number_of_vertices() == uncut.number_of_vertices() + result.copies.size() + splits,
+         "the number of vertices does not fit the report");
+  for(Vertex v : uncut.vertices())
+    demand(cut.point(v) == uncut.point(v), "a vertex has moved");
+  std::map<Vertex, Vertex> originals;
+  for(const auto& [copy, original] : result.copies) {
+    demand(cut.point(copy) == uncut.point(original), "a copied vertex is elsewhere");
+    originals[copy] = original;
+  }
+  const auto original = [&](Vertex v) { return originals.count(v) != 0 ? originals[v] : v; };
+  std::set<std::pair<Vertex, Vertex>> inside; // edges of the uncut surface that are still no border
+  for(Fuzz_mesh::Edge_index e : cut.edges())
+    if(!cut.is_border(e))
+      inside.insert(std::minmax({original(cut.vertex(e, 0)), original(cut.vertex(e, 1))}));
+  for(const auto& [a, b] : seams)
+    demand(inside.count(std::minmax({Vertex(a), Vertex(b)})) == 0, "a seam is not cut");
 }
 
 /// throws unless the map is onto the unit square and without flips, by exact predicates, and the report fits it

@@ -7,8 +7,6 @@
 #include "Choices_of_bytes.h"
 #include "check_map.h"
 
-#include <CGAL_ext/Square_parameterization/internal/cut_soup.h>
-
 /// what became of a mesh
 enum class Outcome
 {
@@ -17,19 +15,18 @@ enum class Outcome
   ONE_TO_ONE ///< and checked
 };
 
-/// some edges of the surface
-inline std::vector<std::array<int, 2>> seams_at(const std::array<int, 4>& places,
-                                                const CGAL_ext::internal::Surface_soup& soup)
+/// some edges of the mesh
+inline std::vector<std::array<std::size_t, 2>> seams_at(const std::array<int, 4>& places, const Fuzz_mesh& mesh)
 {
-  std::vector<std::array<int, 2>> seams;
+  std::vector<std::array<std::size_t, 2>> seams;
   for(int place : places) {
-    const auto& face = soup.faces[place % soup.faces.size()];
-    seams.push_back({static_cast<int>(face[0]), static_cast<int>(face[1])});
+    const auto h = mesh.halfedge(Fuzz_mesh::Face_index(place % mesh.number_of_faces()));
+    seams.push_back({mesh.source(h).idx(), mesh.target(h).idx()});
   }
   return seams;
 }
 
-/// four border vertices, counter-clockwise; none when the places are not four
+/// four vertices of one border, counter-clockwise; none when the places are not four
 inline std::optional<std::array<std::size_t, 4>> corners_at(const std::array<int, 4>& places, const Fuzz_mesh& mesh)
 {
   std::vector<std::size_t> loop;
@@ -42,7 +39,8 @@ inline std::optional<std::array<std::size_t, 4>> corners_at(const std::array<int
     }
   std::set<std::size_t> positions;
   for(int place : places)
-    positions.insert(place % loop.size());
+    if(!loop.empty())
+      positions.insert(place % loop.size());
   if(positions.size() < 4)
     return {};
   std::array<std::size_t, 4> corners{};
@@ -62,25 +60,29 @@ inline Outcome map_bytes(const std::uint8_t* data, std::size_t size)
     return Outcome::REFUSED; // as the readers do
   try {
     condition_soup(soup, choices.conditioning_options);
-    const Surface_soup uncut = soup;
-    CGAL_ext::Cut_report report;
-    const auto seams = choices.has_seams ? seams_at(choices.places, soup) : std::vector<std::array<int, 2>>();
-    const std::vector<int> originals = cut_soup(soup, seams, choices.cut_options, report);
-    check_cut(uncut, seams, soup, originals, report);
   } catch(const Unmappable&) {
     return Outcome::REFUSED;
   }
-  Fuzz_mesh mesh = mesh_of_disk(soup);
-  Fuzz_uv_map uv = mesh.add_property_map<Fuzz_mesh::Vertex_index, Fuzz_kernel::Point_2>("uv").first;
+  const Fuzz_mesh uncut = mesh_of(soup);
   CGAL_ext::Square_map_options options = choices.options;
+  if(choices.has_seams)
+    options.seams = seams_at(choices.places, uncut);
   if(choices.has_corners)
-    options.corners = corners_at(choices.places, mesh);
+    options.corners = corners_at(choices.places, uncut);
+  Fuzz_mesh mesh = uncut;
+  Fuzz_uv_map uv = mesh.add_property_map<Fuzz_mesh::Vertex_index, Fuzz_kernel::Point_2>("uv").first;
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(result.status == SMP::ERROR_BORDER_TOO_SHORT || result.status == SMP::ERROR_NO_1_TO_1_MAPPING)
     return result.search.evaluations == 0 ? Outcome::REFUSED : Outcome::UNMAPPED;
+  if(result.status == SMP::ERROR_NO_TOPOLOGICAL_DISC && choices.has_seams)
+    return Outcome::REFUSED; // seams that separate the surface
+  if(result.status == SMP::ERROR_WRONG_PARAMETER && choices.has_corners)
+    return Outcome::REFUSED; // a cut through several borders may have changed the order of the corners
   if(result.status != SMP::OK)
     throw std::logic_error("a conditioned surface is refused: " + result.message);
+  check_disk(mesh);
+  check_cut(uncut, options.seams, mesh, result);
   check_one_to_one(mesh, uv, result);
   return Outcome::ONE_TO_ONE;
 }

@@ -47,8 +47,11 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                          {"polygons_triangulated", conditioning.polygons_triangulated},
                          {"vertices_added", conditioning.vertices_added},
                          {"faces_reoriented", conditioning.faces_reoriented}};
-  static const char* const step_names[] = {"initial", "added", "dropped", "moved"};
-  json["cut"] = {{"decision_faces", cut.decision_faces}, {"history", nlohmann::ordered_json::array()}};
+  static const char* const step_names[] = {"initial", "added", "dropped", "moved", "judged"};
+  json["cut"] = {{"decision_faces", cut.decision_faces},
+                 {"score", number(cut.score)},
+                 {"l2", number(cut.stretch)},
+                 {"history", nlohmann::ordered_json::array()}};
   for(const CGAL_ext::Cut_step& step : cut.history)
     json["cut"]["history"].push_back({{"step", step_names[step.kind]},
                                       {"score", number(step.score)},

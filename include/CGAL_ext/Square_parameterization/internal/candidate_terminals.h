@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/shortest_paths.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace CGAL_ext {
@@ -69,6 +70,35 @@ inline std::vector<int> candidate_terminals(const Triangle_surface& surface, con
     if(std::find(candidates.begin(), candidates.end(), v) == candidates.end())
       candidates.push_back(v);
   return candidates;
+}
+
+/// vertices at \p distance from a terminal of the cut, all round it: first the one on the cut, if any, then \p count
+/// others, each far from those before it
+inline std::vector<int> nearby_places(const Triangle_surface& surface, const Cut& cut, int terminal, double distance,
+                                      int count)
+{
+  const Shortest_paths paths = shortest_paths(surface, {terminal});
+  std::vector<int> circle, places;
+  for(int v = 0; v < surface.number_of_vertices(); ++v) {
+    const int e = paths.parent_edges[v];
+    if(e >= 0 && paths.distances[v] >= distance && paths.distances[v] - surface.lengths[e] < distance)
+      circle.push_back(v);
+  }
+  for(int v : circle)
+    if(places.empty() && cut.degree(v) > 0)
+      places.push_back(v);
+  const auto gap = [&](int v) {
+    double least = std::numeric_limits<double>::infinity();
+    for(int place : places)
+      least = (std::min)(least, (surface.points[v] - surface.points[place]).squaredNorm());
+    return least;
+  };
+  for(int i = 0; i < count && !circle.empty(); ++i) {
+    const int v = *std::max_element(circle.begin(), circle.end(), [&](int p, int q) { return gap(p) < gap(q); });
+    if(gap(v) > 0)
+      places.push_back(v);
+  }
+  return places;
 }
 
 } // namespace internal

@@ -5,9 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_TO_DISK_H
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
-#include <CGAL_ext/Square_parameterization/internal/decimate_surface.h>
-#include <CGAL_ext/Square_parameterization/internal/grow_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/lift_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/search_cut.h>
 
 #include <array>
 #include <string>
@@ -63,35 +61,6 @@ inline Cut complete_seams(const Triangle_surface& surface, const std::vector<std
   return cut;
 }
 
-/// a copy of about \p faces triangles; nothing when the surface has hardly more, or cannot be simplified
-inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces)
-{
-  return surface.number_of_faces() > 5 * faces / 4 ? decimate_surface(surface, faces) : std::nullopt;
-}
-
-/// a cut that leaves little stretch. Large surfaces are decided on by a simplified copy; a cut that was grown on a still
-/// simpler one competes there, for growth ends in one of many local minima.
-inline Cut best_cut(const Triangle_surface& surface, const Cut_options& options, Thread_team& team, Cut_report& report)
-{
-  constexpr int DECISION_FACES = 1200, SIMPLER_FACES = 700;
-  Cut_growth_options growth;
-  growth.scoring.cut_weight = options.cut_weight;
-  growth.scoring.balance = options.balance;
-  growth.max_cut_length = options.max_cut_length;
-
-  const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
-  const Triangle_surface& decided = copy ? *copy : surface;
-  report.decision_faces = decided.number_of_faces();
-  Cut_growth decision(decided, growth, team, report);
-  std::vector<Cut> cuts{decision.grow()};
-  if(const std::optional<Triangle_surface> simpler = simplified_copy(decided, SIMPLER_FACES)) {
-    Cut_report ignored;
-    cuts.push_back(lift_cut(*simpler, Cut_growth(*simpler, growth, team, ignored).grow(), decided));
-  }
-  const Cut best = decision.polish(std::move(cuts));
-  return copy ? lift_cut(*copy, best, surface) : best;
-}
-
 /// decides how the surface is cut to a disk: along the given seams and what they lack, or by the mode of the options.
 /// A disk is not cut, except along given seams. Deterministic.
 ///
@@ -110,7 +79,7 @@ inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::a
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
                      "the surface is not a disk, and it is not to be cut");
   else if(options.mode == Cut_mode::BEST)
-    cut = best_cut(surface, options, team, report);
+    cut = Cut_decision(options, team, report)(surface);
   else
     cut = shortest_cut(surface, team);
   report.seam_edges = cut.edges().size();

@@ -21,9 +21,8 @@ struct Cut_score_options
   double cut_weight = 0.05; ///< stretch that a cut of length sqrt(area) must save
   double balance = 0.3;     ///< of the energy that is minimised
   int corner_candidates = 8;
-  int iterations = 3;         ///< of the stretch iteration, per candidate
-  int refined_candidates = 2; ///< how many of them go on
-  int steps = 50;             ///< of the balanced minimizer, of each of these, at most
+  int iterations = 1; ///< of the stretch iteration, per candidate
+  int steps = 50;     ///< of the balanced minimizer, for the best of them, at most
 };
 
 /// what a cut is worth; the lower the better
@@ -32,6 +31,7 @@ struct Cut_score
   double score = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
   double stretch = std::numeric_limits<double>::infinity();
   double length = 0; ///< in units of sqrt(area)
+  int vertices = 0;  ///< of the opened surface that was mapped: time is all but proportional to it
 };
 
 /// candidates of the first quarter of the border, spread evenly by length
@@ -48,9 +48,9 @@ inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
   return candidates;
 }
 
-/// the least stretch of the opened surface on the square among a few corners: all get a few cheap iterations, the most
-/// promising go on with the balanced minimizer
-inline double least_stretch(const Patch& patch, const Cut_score_options& options)
+/// a stretch of the opened surface on the square that is all but the least: each of a few corners gets a cheap iteration,
+/// and the best goes on with the balanced minimizer
+inline double quick_stretch(const Patch& patch, const Cut_score_options& options)
 {
   constexpr double TOLERANCE = 1e-3; // the score need not be better than what it decides
   Stretch_minimization start;
@@ -58,24 +58,22 @@ inline double least_stretch(const Patch& patch, const Cut_score_options& options
   const Stretch_iteration iteration = start.make_iteration(patch);
   Stretch_iteration::Workspace iteration_workspace;
   const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-  std::vector<Minimized_map> maps;
+  Minimized_map best;
   for(int candidate : spread_candidates(walk, options.corner_candidates)) {
     const Square_border border = square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST));
-    maps.push_back(iteration.minimize(border.uv, 1, iteration_workspace));
+    Minimized_map map = iteration.minimize(border.uv, 1, iteration_workspace);
+    if(map.report.l2 < best.report.l2)
+      best = std::move(map);
   }
-  std::stable_sort(maps.begin(), maps.end(),
-                   [](const Minimized_map& a, const Minimized_map& b) { return a.report.l2 < b.report.l2; });
-  double least = maps.front().report.l2;
+  if(best.uv.rows() == 0)
+    return best.report.l2;
+  const double start_l2 = best.report.l2;
   Balanced_options balanced;
   balanced.balance = options.balance;
   balanced.maximum_iterations = options.steps;
-  const Balanced_minimizer minimizer(patch, balanced);
   Balanced_minimizer::Workspace workspace;
-  maps.resize((std::min)(maps.size(), static_cast<std::size_t>(options.refined_candidates)));
-  for(Minimized_map& map : maps)
-    if(map.uv.rows() > 0)
-      least = (std::min)(least, minimizer.minimize({std::move(map.uv), {}, {}}, TOLERANCE, workspace).report.l2);
-  return least;
+  const Balanced_minimizer minimizer(patch, balanced);
+  return (std::min)(start_l2, minimizer.minimize({std::move(best.uv), {}, {}}, TOLERANCE, workspace).report.l2);
 }
 
 /// the opened surface as it is mapped: without chords. Throws `Unmappable` as `make_patch()`, also for a sphere that is
@@ -92,8 +90,11 @@ inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, cons
 {
   Cut_score score;
   score.length = cut.length(surface) / std::sqrt(surface.area);
+  score.vertices = surface.number_of_vertices();
   try {
-    score.stretch = least_stretch(patch_of_cut(surface, cut), options);
+    const Patch patch = patch_of_cut(surface, cut);
+    score.vertices = patch.number_of_vertices();
+    score.stretch = quick_stretch(patch, options);
   } catch(const Unmappable&) {
     return score; // of this cut nothing is known but that it is not the best
   }

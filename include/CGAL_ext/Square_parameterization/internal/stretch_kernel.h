@@ -31,26 +31,56 @@ inline double twice_uv_area(const Uv_coordinates& uv, const std::array<int, 3>& 
   return a.x() * b.y() - b.x() * a.y();
 }
 
-/// computes the stretch of one triangle.
+/// the affine map from a uv triangle to its surface triangle: [Ss St], in another frame
+struct Inverse_differential
+{
+  Eigen::RowVector2d across, along; ///< not set unless the uv triangle is counter-clockwise
+  double determinant;               ///< of the uv triangle: twice its signed area
+
+  bool is_counter_clockwise() const { return determinant > 0; }
+  double l2_squared() const { return (across.squaredNorm() + along.squaredNorm()) / 2; }
+};
+
+/// computes the differential of one triangle.
 ///
 /// With the surface edges a = (x1, 0), b = (x2, y2) and the uv edges da, db from the first corner,
 /// D Ss = a tb - b ta and D St = b sa - a sb, so D^2 (|Ss|^2 + |St|^2) = |x1 db - x2 da|^2 + y2^2 |da|^2:
 /// a sum of squares, exact for slivers where the expansion in scalar products cancels.
+inline Inverse_differential inverse_differential(const Flat_triangle& shape, const Uv_coordinates& uv,
+                                                 const std::array<int, 3>& t)
+{
+  const Eigen::RowVector2d da = uv.row(t[1]) - uv.row(t[0]), db = uv.row(t[2]) - uv.row(t[0]);
+  Inverse_differential result;
+  result.determinant = da.x() * db.y() - db.x() * da.y();
+  if(result.is_counter_clockwise()) {
+    result.across = (shape.x1 * db - shape.x2 * da) / result.determinant;
+    result.along = shape.y2 * da / result.determinant;
+  }
+  return result;
+}
+
+/// L2(T)^2; infinite unless the uv triangle is counter-clockwise
+inline double l2_squared(const Flat_triangle& shape, const Uv_coordinates& uv, const std::array<int, 3>& t)
+{
+  const Inverse_differential differential = inverse_differential(shape, uv, t);
+  return differential.is_counter_clockwise() ? differential.l2_squared() : std::numeric_limits<double>::infinity();
+}
+
+/// computes the stretch of one triangle
 inline Triangle_stretch triangle_stretch(const Flat_triangle& shape, const Uv_coordinates& uv,
                                          const std::array<int, 3>& t)
 {
-  const Eigen::RowVector2d da = uv.row(t[1]) - uv.row(t[0]), db = uv.row(t[2]) - uv.row(t[0]);
-  const double determinant = da.x() * db.y() - db.x() * da.y();
-  if(!(determinant > 0))
-    return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), determinant / 2};
-  const Eigen::RowVector2d across = (shape.x1 * db - shape.x2 * da) / determinant;
-  const Eigen::RowVector2d along = shape.y2 * da / determinant;
+  const Inverse_differential differential = inverse_differential(shape, uv, t);
+  const double uv_area = differential.determinant / 2;
+  if(!differential.is_counter_clockwise())
+    return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), uv_area};
+  const Eigen::RowVector2d &across = differential.across, &along = differential.along;
   // the largest singular value, as half the sum of two lengths: a root of a difference of squares would lose half the
   // digits near an isometry
   const double largest = (std::hypot(across.x() + along.y(), across.y() - along.x()) +
                           std::hypot(across.x() - along.y(), across.y() + along.x())) /
                          2;
-  return {(across.squaredNorm() + along.squaredNorm()) / 2, largest, determinant / 2};
+  return {differential.l2_squared(), largest, uv_area};
 }
 
 /// sum over the triangles of L2(T)^2 times the surface area of T; infinite when a triangle is not counter-clockwise.
@@ -59,7 +89,7 @@ inline double stretch_energy(const Patch& patch, const Uv_coordinates& uv)
 {
   double energy = 0;
   for(int f = 0; f < patch.number_of_faces(); ++f)
-    energy += triangle_stretch(patch.shapes[f], uv, patch.triangles[f]).l2_squared * patch.shapes[f].area();
+    energy += l2_squared(patch.shapes[f], uv, patch.triangles[f]) * patch.shapes[f].area();
   return energy;
 }
 
@@ -70,7 +100,7 @@ inline double stretch_energy(const Patch& patch, const Uv_coordinates& uv, std::
   sigma.assign(patch.points.size(), 0.);
   double energy = 0;
   for(int f = 0; f < patch.number_of_faces(); ++f) {
-    const double e = triangle_stretch(patch.shapes[f], uv, patch.triangles[f]).l2_squared * patch.shapes[f].area();
+    const double e = l2_squared(patch.shapes[f], uv, patch.triangles[f]) * patch.shapes[f].area();
     energy += e;
     for(int v : patch.triangles[f])
       sigma[v] += e;

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CUT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CUT_H
+
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/internal/decimate_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/grow_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/lift_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/refine_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/rerouted_initial_cuts.h>
+#include <CGAL_ext/Square_parameterization/internal/square_search.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// a copy of about \p faces triangles, and more when there are many handles and holes; nothing when the surface has
+/// hardly more, or cannot be simplified
+inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces)
+{
+  constexpr int FACES_PER_LOOP = 12; // round a hole, or along or round a handle
+  faces += FACES_PER_LOOP * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
+  return surface.number_of_faces() > 5 * faces / 4 ? decimate_surface(surface, faces) : std::nullopt;
+}
+
+/// the stretch of the opened surface when its corners are searched and its map is minimised as that to be delivered, but
+/// to the tolerance of a search; infinite when there is no map
+inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance)
+{
+  Balanced_minimization minimization;
+  minimization.balance = balance;
+  minimization.tolerance = minimization.search_tolerance;
+  Square_search_options options;
+  options.number_of_threads = 1;
+  try {
+    const Patch patch = patch_of_cut(surface, cut);
+    const Map_minimizer minimizer = minimization.make_minimizer(patch);
+    return search_square_map(patch, minimizer, Bracketing_corner_search(), options).map.report.l2;
+  } catch(const Unmappable&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+/// the best of the cuts, judged by their searched stretch. Among equals the shortest is the best: the copy that they are
+/// judged on overrates the stretch of short cuts.
+inline Cut best_judged(const Triangle_surface& surface, std::vector<Scored_cut> cuts, const Cut_score_options& scoring,
+                       Thread_team& team, Cut_report& report)
+{
+  constexpr double EQUAL = 1e-3; // relative
+  team(cuts.size(), [&](std::size_t i) {
+    Cut_score& score = cuts[i].score;
+    score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
+    score.score = score.stretch + scoring.cut_weight * score.length;
+    cuts[i].kind = Cut_step::JUDGED;
+  });
+  const Scored_cut* best = &*std::min_element(cuts.begin(), cuts.end(), is_better);
+  const double limit = (1 + EQUAL) * best->score.score;
+  for(const Scored_cut& cut : cuts) {
+    record(cut, report);
+    if(cut.score.score <= limit && cut.score.length < best->score.length)
+      best = &cut;
+  }
+  report.score = best->score.score;
+  report.stretch = best->score.stretch;
+  return best->cut;
+}
+
+/// decides on a cut that leaves little stretch: cuts are grown on simple copies, and judged on finer ones
+class Cut_decision
+{
+public:
+  Cut_decision(const Cut_options& options, Thread_team& team, Cut_report& report)
+    : m_max_cut_length(options.max_cut_length), m_team(team), m_report(report)
+  {
+    m_scoring.cut_weight = options.cut_weight;
+    m_scoring.balance = options.balance;
+  }
+
+  /// for a surface of any size: large ones are decided on by a simplified copy
+  Cut operator()(const Triangle_surface& surface)
+  {
+    constexpr int DECISION_FACES = 4000;
+    const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
+    m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
+    return copy ? lift_cut(*copy, decide(*copy), surface) : decide(surface);
+  }
+
+private:
+  Cut_pool make_pool(const Triangle_surface& surface) { return {surface, m_scoring, m_max_cut_length, m_team}; }
+
+  /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
+  /// lengths are scored again on the surface itself, the best of them refined, and the best of these judged by the search
+  /// and the minimization of the map that is delivered
+  Cut decide(const Triangle_surface& surface)
+  {
+    constexpr std::size_t REFINED = 2, JUDGED = 4;
+    constexpr long REFINEMENT_WORK = 30000; // vertices to map
+    Cut_pool pool = make_pool(surface);
+    std::vector<Scored_cut> cuts = pool.start(grown_cuts(surface));
+    std::stable_sort(cuts.begin(), cuts.end(), is_better);
+    cuts.resize((std::min)(cuts.size(), JUDGED), cuts.front());
+    for(std::size_t i = 0; i < (std::min)(cuts.size(), REFINED); ++i)
+      refine_cut(pool, REFINEMENT_WORK, cuts[i], m_report);
+    return best_judged(surface, std::move(cuts), m_scoring, m_team, m_report);
+  }
+
+  /// good cuts of different lengths, found on a simple copy. What was grown on a still simpler one competes there, for
+  /// growth ends in one of many local minima.
+  std::vector<Cut> grown_cuts(const Triangle_surface& surface)
+  {
+    constexpr int GROWTH_FACES = 1200, SIMPLER_FACES = 700, SELECTED = 10;
+    const std::optional<Triangle_surface> copy = simplified_copy(surface, GROWTH_FACES);
+    const Triangle_surface& grown = copy ? *copy : surface;
+    Cut_pool pool = make_pool(grown);
+    Cut_growth growth(pool, m_report);
+    std::vector<Cut> cuts{growth.grow(rerouted_initial_cuts(grown, m_team))};
+    if(const std::optional<Triangle_surface> simpler = simplified_copy(grown, SIMPLER_FACES)) {
+      Cut_report ignored;
+      Cut_pool simpler_pool = make_pool(*simpler);
+      const Cut simple = Cut_growth(simpler_pool, ignored).grow(rerouted_initial_cuts(*simpler, m_team));
+      cuts.push_back(lift_cut(*simpler, simple, grown));
+    }
+    growth.polish(cuts);
+    cuts = pool.selection(SELECTED);
+    if(copy)
+      m_team(cuts.size(), [&](std::size_t i) { cuts[i] = lift_cut(grown, cuts[i], surface); });
+    return cuts;
+  }
+
+  Cut_score_options m_scoring;
+  double m_max_cut_length;
+  Thread_team& m_team;
+  Cut_report& m_report;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CUT_H

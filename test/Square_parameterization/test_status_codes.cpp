@@ -186,3 +186,54 @@ TEST_CASE("the borders without a search refuse what they cannot place")
   CHECK(status_of(Circle(0), bhd) == SMP::ERROR_WRONG_PARAMETER);
   CHECK(status_of(Circle(-1), bhd) == SMP::ERROR_WRONG_PARAMETER);
 }
+
+TEST_CASE("the borders without a search give edges without length the least length of those that search")
+{
+  Flat_mesh flat = unit_square(4);
+  flat.points[1] = flat.points[2]; // both on the first side
+  flat.points[10] = flat.points[5];
+  for(double scale : {1., 1e-150, 1e150}) {
+    Flat_mesh scaled = flat;
+    for(auto& p : scaled.points)
+      p *= scale;
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(scaled);
+    const auto uv_of = [&mesh](const auto& border) {
+      Uv_storage<Surface_mesh, Point_2> storage;
+      std::map<vertex_descriptor, bool> marks;
+      REQUIRE(border.parameterize(mesh, first_border_halfedge_of(mesh), storage.map(), 0,
+                                  boost::make_assoc_property_map(marks)) == SMP::OK);
+      return storage;
+    };
+    const auto disk = internal::make_face_graph_patch(mesh, first_border_halfedge_of(mesh), mesh.points());
+    const std::vector<double>& lengths = disk.patch.border_lengths;
+    CHECK(*std::min_element(lengths.begin(), lengths.end()) == internal::LEAST_LENGTH);
+    const internal::Border_walk walk(lengths, Walk::COUNTER_CLOCKWISE);
+    const auto square = internal::square_border(walk, internal::corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv;
+    const auto circle = internal::circular_border(lengths, 2);
+    auto on_square = uv_of(Square_border_arc_length_parameterizer_3<Surface_mesh>());
+    auto on_circle = uv_of(Circular_border_arc_length_parameterizer_3<Surface_mesh>(2));
+    for(std::size_t k = 0; k < lengths.size(); ++k) {
+      const vertex_descriptor v = disk.vertices[disk.patch.border[k]];
+      CHECK(get(on_square.map(), v) == Point_2(square(k, 0), square(k, 1)));
+      CHECK(get(on_circle.map(), v) == Point_2(circle(k, 0), circle(k, 1)));
+    }
+  }
+}
+
+TEST_CASE("the borders without a search measure polygons, and refuse surfaces without area")
+{
+  Surface_mesh mesh;
+  CGAL::make_grid(3, 2, mesh);
+  const auto status = [&mesh] {
+    Uv_storage<Surface_mesh, Point_2> storage;
+    std::map<vertex_descriptor, bool> marks;
+    return Circular_border_arc_length_parameterizer_3<Surface_mesh>().parameterize(
+        mesh, first_border_halfedge_of(mesh), storage.map(), 0, boost::make_assoc_property_map(marks));
+  };
+  CHECK(status() == SMP::OK);
+  for(vertex_descriptor v : mesh.vertices())
+    mesh.point(v) = Kernel::Point_3(mesh.point(v).x(), 0, 0);
+  CHECK(status() == SMP::ERROR_NO_1_TO_1_MAPPING);
+  mesh.point(*mesh.vertices().begin()) = Kernel::Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  CHECK(status() == SMP::ERROR_WRONG_PARAMETER);
+}

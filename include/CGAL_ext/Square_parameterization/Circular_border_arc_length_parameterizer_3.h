@@ -8,7 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/write_uv.h>
 
-#include <optional>
+#include <vector>
 
 namespace CGAL_ext {
 
@@ -34,8 +34,11 @@ public:
   explicit Circular_border_arc_length_parameterizer_3(double radius = std::sqrt(1 / EIGEN_PI)) : m_radius(radius) {}
 
   /// assigns to the vertices of the border their position on the circle, and marks them as parameterized.
-  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices or with an edge of no length, or
-  ///         `ERROR_WRONG_PARAMETER` for a radius that is not positive
+  /// An edge shorter than 1e-8 sqrt(area) counts as 1e-4 sqrt(area) long, with the area of the connected component, as
+  /// in the border parameterizers that search: no two vertices coincide. Complexity: linear in the component.
+  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices, `ERROR_NO_1_TO_1_MAPPING` for a
+  ///         surface without area, or `ERROR_WRONG_PARAMETER` for a radius that is not positive, or a coordinate that is
+  ///         not finite
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                                                                VertexUVMap uvmap, VertexIndexMap /* vimap */,
@@ -47,10 +50,15 @@ public:
     if(bhd == boost::graph_traits<Triangle_mesh>::null_halfedge())
       return SMP::ERROR_BORDER_TOO_SHORT;
     const std::vector<vertex_descriptor> loop = internal::border_loop(bhd, mesh);
-    const std::optional<std::vector<double>> lengths = internal::border_lengths(loop, get(CGAL::vertex_point, mesh));
-    if(loop.size() < 3 || !lengths)
+    if(loop.size() < 3)
       return SMP::ERROR_BORDER_TOO_SHORT;
-    internal::write_uv(loop, internal::circular_border(*lengths, m_radius), uvmap, vpmap);
+    std::vector<double> lengths;
+    try {
+      lengths = internal::measured_border(mesh, bhd, get(CGAL::vertex_point, mesh));
+    } catch(const internal::Unmappable& error) {
+      return error.code();
+    }
+    internal::write_uv(loop, internal::circular_border(lengths, m_radius), uvmap, vpmap);
     return SMP::OK;
   }
 

@@ -36,8 +36,8 @@ struct Cut_step
 /// the cut that made a surface a disk, and how it was decided on
 struct Cut_report
 {
-  std::size_t seam_edges = 0;     ///< number of edges cut
-  double cut_length = 0;          ///< in units of the square root of the area, every seam counted once
+  std::size_t seam_edges = 0; ///< number of edges cut
+  double cut_length = 0;      ///< in units of the square root of the area, every seam counted once
   /// of the cut that was taken, on the surface that was decided on; infinite when there was nothing to decide
   double score = std::numeric_limits<double>::infinity();
   double stretch = std::numeric_limits<double>::infinity(); ///< its L2 stretch there

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace CGAL_ext {
 
@@ -52,8 +53,11 @@ public:
   {}
 
   /// assigns to the vertices of the border their position on the square, and marks them as parameterized.
-  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than four vertices or with an edge of no length, or
-  ///         `ERROR_WRONG_PARAMETER`
+  /// An edge shorter than 1e-8 sqrt(area) counts as 1e-4 sqrt(area) long, with the area of the connected component, as
+  /// in the border parameterizers that search: no two vertices coincide. Complexity: linear in the component.
+  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than four vertices, `ERROR_NO_1_TO_1_MAPPING` for a
+  ///         surface without area, or `ERROR_WRONG_PARAMETER` for corners that are not distinct and in order on the
+  ///         border, or a coordinate that is not finite
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                                                                VertexUVMap uvmap, VertexIndexMap /* vimap */,
@@ -63,10 +67,15 @@ public:
     if(bhd == boost::graph_traits<Triangle_mesh>::null_halfedge())
       return SMP::ERROR_BORDER_TOO_SHORT;
     const std::vector<vertex_descriptor> loop = internal::border_loop(bhd, mesh);
-    const std::optional<std::vector<double>> lengths = internal::border_lengths(loop, get(CGAL::vertex_point, mesh));
-    if(loop.size() < 4 || !lengths)
+    if(loop.size() < 4)
       return SMP::ERROR_BORDER_TOO_SHORT;
-    const internal::Border_walk walk(*lengths, m_walk);
+    std::vector<double> lengths;
+    try {
+      lengths = internal::measured_border(mesh, bhd, get(CGAL::vertex_point, mesh));
+    } catch(const internal::Unmappable& error) {
+      return error.code();
+    }
+    const internal::Border_walk walk(lengths, m_walk);
     internal::Corners corners = internal::corners_of_candidate(walk, 0, m_corner_rule);
     if(m_corner_vertices) {
       for(int k = 0; k < 4; ++k)

@@ -11,7 +11,6 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
-#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -74,19 +73,34 @@ Eigen::Vector3d point_of(VertexPointMap vpm, Vertex v)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-/// lengths of the edges of a closed loop, edge k from loop[k] to the vertex after it; nothing when a length is zero or
-/// not finite
-template <class Vertex, class VertexPointMap>
-std::optional<std::vector<double>> border_lengths(const std::vector<Vertex>& loop, VertexPointMap vpm)
+/// the lengths of the border edges from source(\p bhd) on, counter-clockwise, in units of the square root of the area of
+/// the component; see `border_lengths()` for short ones. Polygons count as fans of triangles.
+///
+/// Throws `Unmappable` as `measured_patch()`. Complexity: linear.
+template <class TriangleMesh, class VertexPointMap>
+std::vector<double> measured_border(const TriangleMesh& mesh,
+                                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                                    VertexPointMap vpm)
 {
-  std::vector<double> lengths;
-  for(std::size_t k = 0; k < loop.size(); ++k) {
-    const double length = (point_of(vpm, loop[(k + 1) % loop.size()]) - point_of(vpm, loop[k])).stableNorm();
-    if(!(length > 0) || !std::isfinite(length))
-      return std::nullopt;
-    lengths.push_back(length);
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  std::unordered_map<vertex_descriptor, int> index;
+  std::vector<Eigen::Vector3d> points;
+  const auto index_of = [&](vertex_descriptor v) {
+    const auto [found, is_new] = index.emplace(v, static_cast<int>(points.size()));
+    if(is_new)
+      points.push_back(point_of(vpm, v));
+    return found->second;
+  };
+  std::vector<std::array<int, 3>> triangles;
+  for(auto f : faces_of_component(face(opposite(bhd, mesh), mesh), mesh)) {
+    const auto first = halfedge(f, mesh);
+    for(auto h = next(first, mesh); next(h, mesh) != first; h = next(h, mesh))
+      triangles.push_back({index_of(source(first, mesh)), index_of(source(h, mesh)), index_of(target(h, mesh))});
   }
-  return lengths;
+  std::vector<int> border;
+  for(vertex_descriptor v : border_loop(bhd, mesh))
+    border.push_back(index_of(v));
+  return measured_patch(std::move(points), std::move(triangles), std::move(border)).border_lengths;
 }
 
 /// makes a patch of the connected component of \p mesh at the border halfedge \p bhd; vertices and faces keep the order

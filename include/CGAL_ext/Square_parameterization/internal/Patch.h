@@ -180,11 +180,38 @@ inline void measure_faces(Patch& patch)
   scale_patch(1 / std::sqrt(area), patch);
 }
 
+/// the lengths of the border edges of a patch whose faces are measured; an edge shorter than `least_height` counts as
+/// `LEAST_LENGTH`, for positions on a curve must be distinct
+inline std::vector<double> border_lengths(const Patch& patch)
+{
+  std::vector<double> lengths;
+  for(std::size_t k = 0; k < patch.border.size(); ++k) {
+    const int from = patch.border[k], to = patch.border[(k + 1) % patch.border.size()];
+    const double length = (patch.points[to] - patch.points[from]).norm();
+    lengths.push_back(length > patch.least_height ? length : LEAST_LENGTH);
+  }
+  return lengths;
+}
+
+/// makes a patch without edges and areas of vertices, scaled to area 1. Throws `Unmappable` when a coordinate is not
+/// finite, or all triangles are so thin that their size is lost in the rounding of the coordinates.
+inline Patch measured_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
+                            std::vector<int> border)
+{
+  Patch patch;
+  patch.points = std::move(points);
+  patch.triangles = std::move(triangles);
+  patch.border = std::move(border);
+  patch.rounding = normalise_coordinates(patch.points);
+  measure_faces(patch);
+  patch.border_lengths = border_lengths(patch);
+  return patch;
+}
+
 /// makes a patch of a disk: \p points #V, \p triangles #F, consistently oriented, \p border its vertices
 /// counter-clockwise. Every vertex must belong to a triangle.
 ///
-/// Throws `Unmappable` when the border has fewer than four vertices, or a coordinate is not finite, or all triangles
-/// are so thin that their size is lost in the rounding of the coordinates.
+/// Throws `Unmappable` when the border has fewer than four vertices, and as `measured_patch()`.
 /// Complexity: linear but for the sorting of the edges at a vertex.
 inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
                         std::vector<int> border)
@@ -195,17 +222,7 @@ inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::ar
   if(border.size() < 4)
     throw Unmappable(SMP::ERROR_BORDER_TOO_SHORT,
                      "the border has " + std::to_string(border.size()) + " vertices; a square needs at least four");
-  Patch patch;
-  patch.points = std::move(points);
-  patch.triangles = std::move(triangles);
-  patch.border = std::move(border);
-  patch.rounding = normalise_coordinates(patch.points);
-  measure_faces(patch);
-  for(std::size_t k = 0; k < patch.border.size(); ++k) {
-    const int from = patch.border[k], to = patch.border[(k + 1) % patch.border.size()];
-    const double length = (patch.points[to] - patch.points[from]).norm();
-    patch.border_lengths.push_back(length > patch.least_height ? length : LEAST_LENGTH);
-  }
+  Patch patch = measured_patch(std::move(points), std::move(triangles), std::move(border));
   patch.vertex_areas.assign(patch.points.size(), 0.);
   for(int f = 0; f < patch.number_of_faces(); ++f)
     for(int v : patch.triangles[f])

@@ -42,6 +42,9 @@ private:
   static constexpr int MAXIMUM_ADDITIONS = 10;
   static constexpr int PATIENCE = 3;   // changes in a row that may fail to lower the score
   static constexpr int CANDIDATES = 5; // farthest points, and as many stretch maxima, for a terminal
+  static constexpr long WORK = 400000; // vertices to map: with a hundred handles a terminal more is nothing
+
+  bool is_exhausted() const { return m_pool.vertices_mapped() > WORK; }
 
   /// the best of the cuts (ties: the first)
   static Scored_cut best_of(const std::vector<Scored_cut>& cuts)
@@ -71,7 +74,7 @@ private:
   {
     Scored_cut current = best;
     int failures = 0;
-    for(int i = 0; i < MAXIMUM_ADDITIONS && failures < PATIENCE; ++i) {
+    for(int i = 0; i < MAXIMUM_ADDITIONS && failures < PATIENCE && !is_exhausted(); ++i) {
       const auto longer =
           extensions(current.cut, candidate_terminals(m_surface, current.cut, CANDIDATES), Cut_step::ADDED);
       if(longer.empty())
@@ -85,7 +88,7 @@ private:
   /// way
   void drop_terminals(Scored_cut current, Scored_cut& best)
   {
-    for(int failures = 0; failures < PATIENCE && may_be_freed(m_surface, current.cut);) {
+    for(int failures = 0; failures < PATIENCE && may_be_freed(m_surface, current.cut) && !is_exhausted();) {
       std::vector<Scored_cut> shorter;
       for(int terminal : current.cut.terminals())
         shorter.push_back({current.cut, Cut_step::DROPPED, terminal});
@@ -114,7 +117,7 @@ private:
     for(int round = 0; round < ROUNDS && is_changed; ++round) {
       is_changed = false;
       for(int terminal : std::vector<int>(best.cut.terminals())) {
-        if(!may_be_freed(m_surface, best.cut))
+        if(!may_be_freed(m_surface, best.cut) || is_exhausted())
           return;
         Cut shorter = best.cut;
         free_cut(m_surface, terminal, shorter);

@@ -53,7 +53,7 @@ inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, 
 inline Cut best_judged(const Triangle_surface& surface, std::vector<Scored_cut> cuts, const Cut_score_options& scoring,
                        Thread_team& team, Cut_report& report)
 {
-  constexpr double EQUAL = 1e-3; // relative
+  constexpr double EQUAL = 5e-3; // relative: the copy is right to about that
   team(cuts.size(), [&](std::size_t i) {
     Cut_score& score = cuts[i].score;
     score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
@@ -96,18 +96,17 @@ private:
   Cut_pool make_pool(const Triangle_surface& surface) { return {surface, m_scoring, m_max_cut_length, m_team}; }
 
   /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
-  /// lengths are scored again on the surface itself, the best of them refined, and the best of these judged by the search
+  /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by the search
   /// and the minimization of the map that is delivered
   Cut decide(const Triangle_surface& surface)
   {
-    constexpr std::size_t REFINED = 2, JUDGED = 4;
+    constexpr std::size_t JUDGED = 3;
     constexpr long REFINEMENT_WORK = 30000; // vertices to map
     Cut_pool pool = make_pool(surface);
     std::vector<Scored_cut> cuts = pool.start(grown_cuts(surface));
     std::stable_sort(cuts.begin(), cuts.end(), is_better);
     cuts.resize((std::min)(cuts.size(), JUDGED), cuts.front());
-    for(std::size_t i = 0; i < (std::min)(cuts.size(), REFINED); ++i)
-      refine_cut(pool, REFINEMENT_WORK, cuts[i], m_report);
+    refine_cut(pool, REFINEMENT_WORK, cuts.front(), m_report);
     return best_judged(surface, std::move(cuts), m_scoring, m_team, m_report);
   }
 

@@ -73,17 +73,17 @@ public:
 
   const Triangle_surface& surface() const { return m_surface; }
 
-  /// makes cuts by `make(cut)`, concurrently, and scores them. Returns them without those that are too long; initial ones
-  /// never are.
+  /// makes cuts by `make(cut)`, concurrently, and scores them. Returns them without those that were extended or moved and
+  /// are too long.
   template <class Make>
   std::vector<Scored_cut> operator()(std::vector<Scored_cut> cuts, const Make& make)
   {
     m_team(cuts.size(), [&](std::size_t i) { make(cuts[i]); });
-    cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
-                              [this](const Scored_cut& cut) {
-                                return cut.kind != Cut_step::INITIAL && cut.cut.length(m_surface) > m_greatest_length;
-                              }),
-               cuts.end());
+    const auto is_too_long = [this](const Scored_cut& cut) {
+      return (cut.kind == Cut_step::ADDED || cut.kind == Cut_step::MOVED) &&
+             cut.cut.length(m_surface) > m_greatest_length;
+    };
+    cuts.erase(std::remove_if(cuts.begin(), cuts.end(), is_too_long), cuts.end());
     const std::size_t first = m_known.size();
     std::vector<std::size_t> places;
     for(const Scored_cut& cut : cuts) {

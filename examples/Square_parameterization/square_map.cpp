@@ -46,13 +46,6 @@ private:
   double m_best = std::numeric_limits<double>::infinity();
 };
 
-/// the vertex of the mesh that a vertex of the file has become; beyond all vertices when it was dropped
-std::size_t conditioned_vertex(std::size_t v, const CGAL_ext::internal::Conditioning_report& conditioning)
-{
-  return v < conditioning.new_index.size() ? conditioning.new_index[v]
-                                           : CGAL_ext::internal::Conditioning_report::DROPPED;
-}
-
 /// refuses a corner, given as a vertex of the file, that is not on the border of the mesh
 void check_corners(const std::array<std::size_t, 4>& corners,
                    const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh)

@@ -71,7 +71,7 @@ public:
       return SMP::ERROR_BORDER_TOO_SHORT;
     std::vector<double> lengths;
     try {
-      lengths = internal::measured_border(mesh, bhd, get(CGAL::vertex_point, mesh));
+      lengths = internal::measured_border(mesh, bhd, loop, get(CGAL::vertex_point, mesh));
     } catch(const internal::Unmappable& error) {
       return error.code();
     }

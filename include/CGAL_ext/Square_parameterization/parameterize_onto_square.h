@@ -125,10 +125,11 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
   try {
     const auto start = Clock::now();
     internal::check_options(options);
-    internal::check_connected_triangles(mesh);
     const bool may_be_cut = options.cut.mode != Cut_mode::NONE || !options.seams.empty();
     if(may_be_cut && (!options.seams.empty() || !internal::is_disk(mesh)))
       result.copies = internal::cut_mesh(mesh, vpm, options, result.cut);
+    else
+      internal::check_connected_triangles(mesh); // what is cut is checked there
     const auto condition_start = Clock::now();
     result.cut_seconds = std::chrono::duration<double>(condition_start - start).count();
     const auto bhd = internal::first_border_halfedge(mesh);

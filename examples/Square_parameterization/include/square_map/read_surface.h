@@ -39,12 +39,14 @@ struct Malformed_file : std::runtime_error
 // what a reader may allocate, in bytes; real files need a third of it
 constexpr std::size_t MEMORY_TO_START_READING = 1 << 28, MEMORY_PER_BYTE = 64;
 
-inline bool has_extension(const std::string& path, const std::string& lower_case)
+/// extension of the path in lower case, without the dot
+inline std::string extension_of(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
+  extension.erase(0, 1);
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == lower_case;
+  return extension;
 }
 
 /// reads points and polygons through CGAL's readers (OFF, OBJ, PLY, STL by extension)
@@ -63,7 +65,7 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
   bool is_read = false;
   try {
     const Memory_limit limit(MEMORY_TO_START_READING + MEMORY_PER_BYTE * std::filesystem::file_size(path));
-    is_read = has_extension(path, ".off")
+    is_read = extension_of(path) == "off"
                   ? read_off(path, points, soup.faces)
                   : CGAL::IO::read_polygon_soup(path, points, soup.faces, CGAL::parameters::verbose(false));
   } catch(const std::exception&) {
@@ -109,6 +111,13 @@ inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, cons
     throw Malformed_file("'" + path + "' is malformed: " + complaint.text());
 }
 
+/// the vertex of the conditioned soup that a vertex of the file has become; `DROPPED` when there is none
+inline std::size_t conditioned_vertex(std::size_t v, const CGAL_ext::internal::Conditioning_report& conditioning)
+{
+  return v < conditioning.new_index.size() ? conditioning.new_index[v]
+                                           : CGAL_ext::internal::Conditioning_report::DROPPED;
+}
+
 /// reads seams: two vertex numbers a line; returns them as vertices of the conditioned soup
 inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& path,
                                                           const CGAL_ext::internal::Conditioning_report& conditioning)
@@ -129,12 +138,10 @@ inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& pat
                            " is not two vertex numbers");
     std::array<std::size_t, 2> seam{};
     for(int k = 0; k < 2; ++k) {
-      using CGAL_ext::internal::Conditioning_report;
-      if(ends[k] < 0 || static_cast<std::size_t>(ends[k]) >= conditioning.new_index.size() ||
-         conditioning.new_index[ends[k]] == Conditioning_report::DROPPED)
+      seam[k] = conditioned_vertex(static_cast<std::size_t>(ends[k]), conditioning); // a negative number is a large one
+      if(seam[k] == CGAL_ext::internal::Conditioning_report::DROPPED)
         throw Malformed_file("'" + path + "' is malformed: line " + std::to_string(line_number) + " names vertex " +
                              std::to_string(ends[k]) + ", which no mapped face has");
-      seam[k] = conditioning.new_index[ends[k]];
     }
     seams.push_back(seam);
   }

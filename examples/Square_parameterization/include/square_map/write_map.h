@@ -19,16 +19,6 @@ namespace square_map {
 
 typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> UV_map;
 
-/// extension of the path in lower case, without the dot
-inline std::string extension_of(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 /// Wavefront OBJ: one texture vertex per vertex of the cut mesh, faces `v/vt`. The vertices are those of the uncut
 /// surface, in their order, followed by the midpoints of split chords: a seam parts texture vertices alone. Vertices
 /// without a face, and those of components that are not mapped, are left out.

@@ -73,14 +73,15 @@ Eigen::Vector3d point_of(VertexPointMap vpm, Vertex v)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-/// the lengths of the border edges from source(\p bhd) on, counter-clockwise, in units of the square root of the area of
-/// the component; see `border_lengths()` for short ones. Polygons count as fans of triangles.
+/// the lengths of the border edges along \p loop, which is the border of \p bhd, in units of the square root of the area
+/// of the component; see `border_lengths()` for short ones. Polygons count as fans of triangles.
 ///
 /// Throws `Unmappable` as `measured_patch()`. Complexity: linear.
 template <class TriangleMesh, class VertexPointMap>
-std::vector<double> measured_border(const TriangleMesh& mesh,
-                                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                                    VertexPointMap vpm)
+std::vector<double>
+measured_border(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& loop,
+                VertexPointMap vpm)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   std::unordered_map<vertex_descriptor, int> index;
@@ -98,7 +99,7 @@ std::vector<double> measured_border(const TriangleMesh& mesh,
       triangles.push_back({index_of(source(first, mesh)), index_of(source(h, mesh)), index_of(target(h, mesh))});
   }
   std::vector<int> border;
-  for(vertex_descriptor v : border_loop(bhd, mesh))
+  for(vertex_descriptor v : loop)
     border.push_back(index_of(v));
   return measured_patch(std::move(points), std::move(triangles), std::move(border)).border_lengths;
 }

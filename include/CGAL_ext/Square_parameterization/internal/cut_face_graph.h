@@ -58,9 +58,7 @@ std::vector<std::array<int, 2>> surface_seams(const Face_graph_surface<TriangleM
   for(const auto& ends : given) {
     for(std::size_t v : ends)
       if(v >= disk.new_index.size() || disk.new_index[v] == Conditioning_report::DROPPED)
-        throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                         "the seam from vertex " + std::to_string(ends[0]) + " to vertex " + std::to_string(ends[1]) +
-                             " is not an edge of the surface");
+        refuse_seam(ends[0], ends[1]);
     seams.push_back({static_cast<int>(disk.new_index[ends[0]]), static_cast<int>(disk.new_index[ends[1]])});
   }
   return seams;

@@ -22,6 +22,14 @@ inline void check_cut_options(const Cut_options& options)
                      "the weight or the greatest length of the cut is negative, or its balance is not in [0, 1]");
 }
 
+/// refuses a seam from vertex \p a to vertex \p b that is not an edge
+[[noreturn]] inline void refuse_seam(std::size_t a, std::size_t b)
+{
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                   "the seam from vertex " + std::to_string(a) + " to vertex " + std::to_string(b) +
+                       " is not an edge of the surface");
+}
+
 /// puts seams given as pairs of vertices into the cut; border edges need no cut.
 /// Throws `Unmappable` when a pair is not an edge, or the seams separate the surface.
 inline void fix_seams(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams, Cut& cut)
@@ -31,8 +39,7 @@ inline void fix_seams(const Triangle_surface& surface, const std::vector<std::ar
     const std::array<int, 2> edge{(std::min)(a, b), (std::max)(a, b)};
     const auto found = std::lower_bound(surface.edges.begin(), surface.edges.end(), edge);
     if(found == surface.edges.end() || *found != edge)
-      throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the seam from vertex " + std::to_string(a) + " to vertex " +
-                                                       std::to_string(b) + " is not an edge of the surface");
+      refuse_seam(a, b);
     const int e = static_cast<int>(found - surface.edges.begin());
     if(!surface.is_border_edge(e))
       cut.fix(surface, e);

@@ -29,13 +29,12 @@ public:
     return best.cut;
   }
 
-  /// the best of \p cuts with its terminals moved and without those that no longer pay
-  Cut polish(const std::vector<Cut>& cuts)
+  /// moves the terminals of the best of \p cuts, and drops those that no longer pay: better cuts come into the pool
+  void polish(const std::vector<Cut>& cuts)
   {
     Scored_cut best = best_start(cuts);
     move_terminals(best);
     drop_terminals(best, best);
-    return best.cut;
   }
 
 private:
@@ -93,8 +92,6 @@ private:
       for(int terminal : current.cut.terminals())
         shorter.push_back({current.cut, Cut_step::DROPPED, terminal});
       shorter = m_pool(std::move(shorter), [this](Scored_cut& cut) { free_cut(m_surface, cut.terminal, cut.cut); });
-      if(shorter.empty())
-        break;
       follow(best_of(shorter), current, best, failures);
     }
   }
@@ -125,9 +122,10 @@ private:
         for(int e : m_surface.vertex_edges[terminal])
           places.push_back(m_surface.other_end(e, terminal));
         const auto moved = extensions(shorter, places, Cut_step::MOVED);
-        if(moved.empty() || !is_better(best_of(moved), best))
+        const auto found = std::min_element(moved.begin(), moved.end(), is_better);
+        if(found == moved.end() || !is_better(*found, best))
           continue;
-        best = best_of(moved);
+        best = *found;
         record(best, m_report);
         is_changed = true;
       }

@@ -23,6 +23,8 @@ struct Cut_score_options
   int corner_candidates = 8;
   int iterations = 1; ///< of the stretch iteration, per candidate
   int steps = 50;     ///< of the balanced minimizer, for the best of them, at most
+
+  double score(double stretch, double length) const { return stretch + cut_weight * length; }
 };
 
 /// what a cut is worth; the lower the better
@@ -98,7 +100,7 @@ inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, cons
   } catch(const Unmappable&) {
     return score; // of this cut nothing is known but that it is not the best
   }
-  score.score = score.stretch + options.cut_weight * score.length;
+  score.score = options.score(score.stretch, score.length);
   return score;
 }
 

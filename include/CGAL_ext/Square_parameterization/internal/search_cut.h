@@ -57,7 +57,7 @@ inline Cut best_judged(const Triangle_surface& surface, std::vector<Scored_cut> 
   team(cuts.size(), [&](std::size_t i) {
     Cut_score& score = cuts[i].score;
     score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
-    score.score = score.stretch + scoring.cut_weight * score.length;
+    score.score = scoring.score(score.stretch, score.length);
     cuts[i].kind = Cut_step::JUDGED;
   });
   const Scored_cut* best = &*std::min_element(cuts.begin(), cuts.end(), is_better);

@@ -6,6 +6,7 @@
 #include <CGAL_ext/Square_parameterization/internal/cut_open.h>
 #include <CGAL_ext/Square_parameterization/internal/cut_paths.h>
 #include <CGAL_ext/Square_parameterization/internal/initial_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/lift_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/reroute_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/split_surface_chords.h>
 
@@ -134,6 +135,36 @@ TEST_CASE("every surface is cut to a disk, before rerouting and after, and rerou
       CHECK(cut.length(surface) == once);
     }
   }
+}
+
+TEST_CASE("a lifted cut keeps to its way though another is shorter")
+{
+  // from the equator over a pole to the other side, where the way along the equator is much shorter
+  constexpr double HEIGHT = 2;
+  const Triangle_surface simple = surface_of(ellipsoid(3, HEIGHT)), surface = surface_of(ellipsoid(5, HEIGHT));
+  const auto is_over_pole = [](const Eigen::Vector3d& p) { return std::abs(p.y()) < 1e-12 && p.z() > -1e-12; };
+  Cut cut(simple);
+  for(int e = 0; e < simple.number_of_edges(); ++e)
+    if(is_over_pole(simple.points[simple.edges[e][0]]) && is_over_pole(simple.points[simple.edges[e][1]]))
+      cut.insert(simple, e);
+  for(int v = 0; v < simple.number_of_vertices(); ++v)
+    if(cut.degree(v) == 1)
+      cut.add_terminal(v);
+  REQUIRE(cut.terminals().size() == 2);
+  const double edge = cut.length(simple) / static_cast<double>(cut.edges().size());
+
+  const Cut lifted = lift_cut(simple, cut, surface);
+  check_opening(surface, lifted);
+  CHECK(lifted.length(surface) <= 1.05 * cut.length(simple));
+  for(int v : seam_vertices(surface, lifted)) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for(int w : seam_vertices(simple, cut))
+      nearest = (std::min)(nearest, (surface.points[v] - simple.points[w]).norm());
+    CHECK(nearest < 3 * edge);
+  }
+  Cut shorter = lifted;
+  reroute_cut(surface, shorter);
+  CHECK(shorter.length(surface) < 0.8 * lifted.length(surface)); // so that the way was worth keeping to
 }
 
 TEST_CASE("a disk needs no cut")

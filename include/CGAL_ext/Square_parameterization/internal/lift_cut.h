@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/reroute_cut.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -32,10 +33,12 @@ inline int nearest_vertex(const Triangle_surface& surface, const Eigen::Vector3d
 /// and holes.
 ///
 /// The faces far from the simple cut are unfolded first, so that what remains to be cut lies near it; rerouting then
-/// straightens it. The topology is right even where the two surfaces differ.
+/// straightens it, but stays near: another way may be shorter here, and leave more stretch than the cut that was chosen.
+/// The topology is right even where the two surfaces differ.
 inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const Triangle_surface& surface)
 {
   constexpr int SAMPLES = 8; // per edge: enough to lead along the edges of a surface that is a hundred times finer
+  constexpr double BAND = 2; // how far the cut may move on either side, in edges of the simple cut
   std::vector<int> near;
   for(int e : simple.edges()) {
     const auto& [a, b] = simplified.edges[e];
@@ -56,7 +59,12 @@ inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const
     cut = Cut(surface);
     initial_cut(surface, 0, cut);
   }
-  reroute_cut(surface, cut);
+  const double band = BAND * simple.length(simplified) / static_cast<double>(simple.edges().size());
+  std::vector<bool> is_near;
+  for(double distance : paths.distances)
+    is_near.push_back(distance <= band);
+  Cut_rerouting reroute(surface, std::move(is_near));
+  reroute(cut);
   return cut;
 }
 

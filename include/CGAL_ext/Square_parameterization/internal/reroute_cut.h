@@ -28,8 +28,10 @@ namespace internal {
 class Cut_rerouting
 {
 public:
-  explicit Cut_rerouting(const Triangle_surface& surface)
+  /// \param is_allowed per vertex, whether shorter paths may pass it; empty for all of them
+  explicit Cut_rerouting(const Triangle_surface& surface, std::vector<bool> is_allowed = {})
     : m_surface(surface),
+      m_is_allowed(std::move(is_allowed)),
       m_marks(2 * surface.edges.size(), 0),
       m_distances(surface.points.size(), 0.),
       m_parents(surface.points.size(), -1),
@@ -199,6 +201,8 @@ private:
       if(!(length < search.bound))
         return;
       const int v = m_surface.other_end(e, from);
+      if(!m_is_allowed.empty() && !m_is_allowed[v])
+        return;
       if(is_seam(v, search)) {
         // two points joined by one edge would leave a border of two vertices
         const bool is_whole_cut = search.points.size() == 2 && is_seam(from, search);
@@ -228,6 +232,7 @@ private:
   }
 
   const Triangle_surface& m_surface;
+  std::vector<bool> m_is_allowed;  // #V, or empty
   std::vector<int> m_marks;        // 2 #E: the last search that began where edge e leaves its first or second end
   std::vector<double> m_distances; // #V
   std::vector<int> m_parents;      // #V

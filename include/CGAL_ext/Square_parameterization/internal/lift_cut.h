@@ -63,8 +63,7 @@ inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const
   std::vector<bool> is_near;
   for(double distance : paths.distances)
     is_near.push_back(distance <= band);
-  Cut_rerouting reroute(surface, std::move(is_near));
-  reroute(cut);
+  reroute_cut(surface, cut, std::move(is_near));
   return cut;
 }
 

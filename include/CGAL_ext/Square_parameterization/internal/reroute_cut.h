@@ -29,7 +29,7 @@ class Cut_rerouting
 {
 public:
   /// \param is_allowed per vertex, whether shorter paths may pass it; empty for all of them
-  explicit Cut_rerouting(const Triangle_surface& surface, std::vector<bool> is_allowed = {})
+  Cut_rerouting(const Triangle_surface& surface, std::vector<bool> is_allowed)
     : m_surface(surface),
       m_is_allowed(std::move(is_allowed)),
       m_marks(2 * surface.edges.size(), 0),
@@ -243,9 +243,9 @@ private:
 };
 
 /// shortens the cut; see `Cut_rerouting`
-inline void reroute_cut(const Triangle_surface& surface, Cut& cut)
+inline void reroute_cut(const Triangle_surface& surface, Cut& cut, std::vector<bool> is_allowed = {})
 {
-  Cut_rerouting rerouting(surface);
+  Cut_rerouting rerouting(surface, std::move(is_allowed));
   rerouting(cut);
 }
 

@@ -61,6 +61,13 @@ inline bool may_be_freed(const Triangle_surface& surface, const Cut& cut)
   return cut.terminals().size() > (surface.border_loops.empty() && surface.genus() == 0 ? 2u : 0u);
 }
 
+/// indicates whether the handles make one cut much like another, and a terminal more or less nothing
+inline bool has_many_handles(const Triangle_surface& surface)
+{
+  constexpr int MANY = 20;
+  return surface.genus() >= MANY;
+}
+
 /// all cuts of one surface that were scored. None is scored twice; those that compete are scored concurrently, and the
 /// result is the same for any number of threads.
 class Cut_pool

@@ -41,9 +41,13 @@ private:
   static constexpr int MAXIMUM_ADDITIONS = 10;
   static constexpr int PATIENCE = 3;   // changes in a row that may fail to lower the score
   static constexpr int CANDIDATES = 5; // farthest points, and as many stretch maxima, for a terminal
-  static constexpr long WORK = 400000; // vertices to map: with a hundred handles a terminal more is nothing
 
-  bool is_exhausted() const { return m_pool.vertices_mapped() > WORK; }
+  /// indicates whether enough vertices have been mapped
+  bool is_exhausted() const
+  {
+    constexpr long WORK = 400000, LITTLE_WORK = 50000;
+    return m_pool.vertices_mapped() > (has_many_handles(m_surface) ? LITTLE_WORK : WORK);
+  }
 
   /// the best of the cuts (ties: the first)
   static Scored_cut best_of(const std::vector<Scored_cut>& cuts)

@@ -100,12 +100,14 @@ private:
   /// and the minimization of the map that is delivered
   Cut decide(const Triangle_surface& surface)
   {
-    constexpr std::size_t JUDGED = 3;
+    const std::size_t judged = has_many_handles(surface) ? 1 : 3;
     constexpr long REFINEMENT_WORK = 30000; // vertices to map
     Cut_pool pool = make_pool(surface);
     std::vector<Scored_cut> cuts = pool.start(grown_cuts(surface));
     std::stable_sort(cuts.begin(), cuts.end(), is_better);
-    cuts.resize((std::min)(cuts.size(), JUDGED), cuts.front());
+    const auto is_same = [](const Scored_cut& a, const Scored_cut& b) { return a.cut.edges() == b.cut.edges(); };
+    cuts.erase(std::unique(cuts.begin(), cuts.end(), is_same), cuts.end());
+    cuts.resize((std::min)(cuts.size(), judged), cuts.front());
     refine_cut(pool, REFINEMENT_WORK, cuts.front(), m_report);
     return best_judged(surface, std::move(cuts), m_scoring, m_team, m_report);
   }

@@ -143,11 +143,8 @@ TEST_CASE("the quick score knows the stretch that long parts end with")
 {
   // both halves of a spindle stick out of a short cut across its middle: fifty steps do not flatten them
   const Triangle_surface surface = surface_of(ellipsoid(4, 16));
-  const int a = 0, b = 1; // opposite each other on the equator
   Cut cut(surface);
-  const Shortest_paths paths = shortest_paths(surface, {a});
-  for(int v = b; v != a; v = surface.other_end(paths.parent_edges[v], v))
-    cut.insert(surface, paths.parent_edges[v]);
+  insert_path(surface, shortest_paths(surface, {0}), 1, cut); // these are opposite each other on the equator
   REQUIRE(opened_surface(surface, cut).is_disk());
   Cut_score_options options;
   options.balance = 0;

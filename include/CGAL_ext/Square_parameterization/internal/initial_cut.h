@@ -38,6 +38,15 @@ inline void cut_beside_face_tree(const Triangle_surface& surface, const std::vec
   prune(surface, cut);
 }
 
+/// per edge, the length of the shortest path from the sources to it, over it, and back
+inline std::vector<double> lengths_through_edges(const Triangle_surface& surface, const Shortest_paths& paths)
+{
+  std::vector<double> lengths;
+  for(int e = 0; e < surface.number_of_edges(); ++e)
+    lengths.push_back(paths.distances[surface.edges[e][0]] + paths.distances[surface.edges[e][1]] + surface.lengths[e]);
+  return lengths;
+}
+
 /// the connected pieces of the border and of the fixed edges of the cut
 inline Vertex_groups seam_groups(const Triangle_surface& surface, const Cut& cut)
 {
@@ -127,10 +136,7 @@ inline void initial_cut(const Triangle_surface& surface, int root, Cut& cut)
   for(int e : paths.parent_edges)
     if(e >= 0)
       is_in_tree[e] = true;
-  std::vector<double> weights;
-  for(int e = 0; e < surface.number_of_edges(); ++e)
-    weights.push_back(paths.distances[surface.edges[e][0]] + paths.distances[surface.edges[e][1]] + surface.lengths[e]);
-  cut_beside_face_tree(surface, weights, is_in_tree, cut);
+  cut_beside_face_tree(surface, lengths_through_edges(surface, paths), is_in_tree, cut);
   if(surface.border_loops.empty() && cut.edges().size() < 2)
     cut_sphere(surface, cut);
 }

@@ -48,13 +48,11 @@ inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const
     }
   }
   const Shortest_paths paths = shortest_paths(surface, near);
-  std::vector<double> weights;
-  for(int e = 0; e < surface.number_of_edges(); ++e)
-    weights.push_back(paths.distances[surface.edges[e][0]] + paths.distances[surface.edges[e][1]] + surface.lengths[e]);
   Cut cut(surface);
   for(int terminal : simple.terminals())
     cut.add_terminal(nearest_vertex(surface, simplified.points[terminal]));
-  cut_beside_face_tree(surface, weights, std::vector<bool>(surface.edges.size(), false), cut);
+  cut_beside_face_tree(surface, lengths_through_edges(surface, paths), std::vector<bool>(surface.edges.size(), false),
+                       cut);
   if(surface.border_loops.empty() && cut.edges().size() < 2) {
     cut = Cut(surface);
     initial_cut(surface, 0, cut);

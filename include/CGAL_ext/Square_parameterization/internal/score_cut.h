@@ -22,7 +22,7 @@ struct Cut_score_options
   double balance = 0.3;     ///< of the energy that is minimised
   int corner_candidates = 8;
   int iterations = 1; ///< of the stretch iteration, per candidate
-  int steps = 100;    ///< of the balanced minimizer, for the best of them: twice as many as most need
+  int steps = 100;    ///< of the balanced minimizer, for the best of them, at most: most need half of them
 
   double score(double stretch, double length) const { return stretch + cut_weight * length; }
 };

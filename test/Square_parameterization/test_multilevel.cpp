@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "closed_meshes.h"
 #include "mapped_patches.h"
 
 #include <CGAL_ext/Square_parameterization/internal/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/score_cut.h>
 
 #include <catch2/catch.hpp>
 
@@ -35,6 +37,13 @@ std::vector<Patch> large_patches()
           make_patch_of(hemisphere(20, 40))};
 }
 
+/// a disk without chords
+Patch patch_without_chords(const Closed_mesh& disk)
+{
+  const Triangle_surface surface = surface_of(disk);
+  return patch_of_cut(surface, Cut(surface));
+}
+
 } // namespace
 
 TEST_CASE("a coarse patch is a disk with the same border, and its vertices are among the fine ones")
@@ -58,6 +67,19 @@ TEST_CASE("a coarse patch is a disk with the same border, and its vertices are a
     CHECK(static_cast<int>(left.size()) == target);
     for(const auto& removal : coarse.removals)
       CHECK(left.count(removal.vertex) == 0);
+  }
+}
+
+TEST_CASE("a patch without chords that need not keep its shape is made as coarse as a wheel")
+{
+  for(const Patch& fine :
+      {make_patch_of(noisy_height_field(30)), make_patch_of(hemisphere(20, 40)), patch_without_chords(comb(18, 1))}) {
+    const int wheel = static_cast<int>(fine.border.size()) + 1;
+    CHECK(Patch_coarsener(fine)(wheel).patch.number_of_vertices() > wheel);
+    const Coarse_patch coarse = Patch_coarsener(fine, std::nullopt)(wheel);
+    CHECK(coarse.patch.number_of_vertices() == wheel);
+    CHECK(coarse.patch.triangles.size() == fine.border.size());
+    CHECK(coarse.patch.chords.empty());
   }
 }
 
@@ -191,6 +213,21 @@ TEST_CASE("a mesh whose Tutte map has triangles of area below 1e-12 is mapped wi
     Multilevel_minimizer::Workspace workspace;
     const Minimized_map map = Multilevel_minimizer(patch, start_of, options).minimize(border_of(patch, 0), workspace);
     REQUIRE(map.uv.rows() > 0);
+    CHECK(map.report.stop_reason == Stop_reason::CONVERGED);
+    CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+  }
+}
+
+TEST_CASE("a patch with long teeth, whose first map is lost in rounding, is mapped without flips")
+{
+  for(unsigned int seed : {1, 2}) {
+    const Patch patch = patch_without_chords(comb(70, seed));
+    const Uv_coordinates border = border_of(patch, 0);
+    Stretch_iteration::Workspace iteration_workspace;
+    REQUIRE(start_of(patch).minimize(border, 1, iteration_workspace).uv.rows() == 0);
+    Multilevel_minimizer::Workspace workspace;
+    const Minimized_map map = Multilevel_minimizer(patch, start_of, {}).minimize(border, workspace);
+    REQUIRE(map.uv.rows() == patch.number_of_vertices());
     CHECK(map.report.stop_reason == Stop_reason::CONVERGED);
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
   }

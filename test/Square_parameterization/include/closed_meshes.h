@@ -171,6 +171,29 @@ inline Closed_mesh plane(int n, unsigned int seed)
   return {flat.points, flat.triangles};
 }
 
+/// a plane with the cells removed for which `is_hole(i, j)`
+inline Closed_mesh perforated_plane(int n, unsigned int seed, const std::function<bool(int, int)>& is_hole)
+{
+  std::set<int> removed;
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+      if(is_hole(i, j))
+        removed.insert({2 * (j * n + i), 2 * (j * n + i) + 1});
+  return without_triangles(plane(n, seed), removed);
+}
+
+/// a disk: a comb whose teeth are two cells wide and `n` - 2 cells long
+inline Closed_mesh comb(int n, unsigned int seed)
+{
+  return perforated_plane(n, seed, [](int i, int j) { return j >= 2 && i % 4 >= 2; });
+}
+
+/// a plane with (n / 3)^2 holes, two cells apart
+inline Closed_mesh sieve(int n, unsigned int seed)
+{
+  return perforated_plane(n, seed, [n](int i, int j) { return i % 3 == 1 && j % 3 == 1 && i < n - 1 && j < n - 1; });
+}
+
 struct Named_mesh
 {
   std::string name;

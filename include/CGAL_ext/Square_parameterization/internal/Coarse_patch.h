@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -33,12 +34,14 @@ struct Coarse_patch
 };
 
 /// makes coarse patches: collapses interior vertices into interior neighbors, short edges first, wherever the surface
-/// stays a disk, does not bend much, and gets no sliver. The border and all positions are kept.
+/// stays a disk and, when it is to keep its shape, does not bend much and gets no sliver. The border and all positions
+/// are kept.
 class Patch_coarsener
 {
 public:
-  /// \param least_shape_kept a triangle may be thin, but not below this share of the shape of the one that it replaces
-  explicit Patch_coarsener(const Patch& fine, double least_shape_kept = 0.7)
+  /// \param least_shape_kept a triangle may be thin, but not below this share of the shape of the one that it replaces;
+  ///        none when the surface need not keep its shape
+  explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = 0.7)
     : m_fine(fine),
       m_least_shape_kept(least_shape_kept),
       m_triangles(fine.triangles),
@@ -140,7 +143,7 @@ private:
     for(int w : {before, after})
       if(m_star[w].size() <= (m_is_border[w] ? 1u : 3u))
         return false;
-    for(std::size_t i = 1; i + 1 < n; ++i)
+    for(std::size_t i = 1; i + 1 < n && m_least_shape_kept; ++i)
       if(!is_good_replacement(from, to, ring[(place + i) % n], ring[(place + i + 1) % n]))
         return false;
     return true;
@@ -160,7 +163,7 @@ private:
     if(!(new_normal.dot(old_normal) > LEAST_COSINE * new_size * old_size))
       return false;
     const double new_shape = shape(to, new_size);
-    return new_shape > LEAST_SHAPE || new_shape > m_least_shape_kept * shape(from, old_size);
+    return new_shape > LEAST_SHAPE || new_shape > *m_least_shape_kept * shape(from, old_size);
   }
 
   void perform(int from, int to)
@@ -202,7 +205,7 @@ private:
   }
 
   const Patch& m_fine;
-  double m_least_shape_kept;
+  std::optional<double> m_least_shape_kept;
   std::vector<std::array<int, 3>> m_triangles;
   std::vector<bool> m_is_alive;         // per triangle
   std::vector<std::vector<int>> m_star; // per vertex, its triangles

@@ -61,11 +61,11 @@ inline bool may_be_freed(const Triangle_surface& surface, const Cut& cut)
   return cut.terminals().size() > (surface.border_loops.empty() && surface.genus() == 0 ? 2u : 0u);
 }
 
-/// indicates whether the handles make one cut much like another, and a terminal more or less nothing
-inline bool has_many_handles(const Triangle_surface& surface)
+/// indicates whether the handles and holes make one cut much like another, and a terminal more or less nothing
+inline bool has_many_loops(const Triangle_surface& surface)
 {
-  constexpr int MANY = 20;
-  return surface.genus() >= MANY;
+  constexpr std::size_t MANY = 40; // round holes, and along and round handles
+  return 2 * surface.genus() + surface.border_loops.size() >= MANY;
 }
 
 /// all cuts of one surface that were scored. None is scored twice; those that compete are scored concurrently, and the

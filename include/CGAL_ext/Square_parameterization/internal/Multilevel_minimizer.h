@@ -11,7 +11,10 @@
 
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -19,6 +22,10 @@ namespace internal {
 
 /// minimises the balanced energy from coarse to fine: maps the coarsest of a sequence of ever coarser patches by the
 /// iteration of Yoshizawa et al.; then, patch by patch, minimises, puts vertices back, and smooths by sweeps.
+///
+/// The first map of a patch with long protrusions or passages, as many holes and handles leave them, has triangles too
+/// tiny for floating-point numbers, and folded surfaces are not made coarse enough to avoid that. Then patches follow that
+/// do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a start.
 ///
 /// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The patches do
 /// not depend on the border, and serve all of its maps.
@@ -28,8 +35,8 @@ public:
   /// the memory of one thread
   struct Workspace
   {
-    Stretch_iteration::Workspace iteration;
-    std::deque<Balanced_minimizer::Workspace> levels; // they cannot be moved
+    std::deque<Stretch_iteration::Workspace> starts;  // they cannot be moved
+    std::deque<Balanced_minimizer::Workspace> levels; // nor these
   };
 
   typedef std::function<Stretch_iteration(const Patch&)> Iteration_factory;
@@ -40,16 +47,14 @@ public:
     Balanced_options coarse_options = options;
     coarse_options.balance = (std::max)(options.balance, LEAST_COARSE_BALANCE);
     coarse_options.maximum_iterations = COARSE_ITERATIONS;
+    m_coarse_balance = coarse_options.balance;
     m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options));
-    while(const auto coarse = coarsened(m_minimizers.back()->patch())) {
-      m_coarse.push_back(coarse);
-      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(coarse->patch, coarse_options));
-    }
+    // thin protrusions cannot be shortened without thinner triangles
+    coarsen({0.7, 0.05}, coarse_options);
     while(m_minimizers[m_warm_level]->patch().number_of_vertices() > LARGEST_WARM_START &&
           m_warm_level + 1 < m_minimizers.size())
       ++m_warm_level;
-    m_coarse_balance = coarse_options.balance;
-    m_iteration = std::make_unique<Stretch_iteration>(m_make_iteration(m_minimizers.back()->patch()));
+    coarsen({std::nullopt}, coarse_options);
   }
 
   /// maps for the border \p border_uv (#B by 2) on the unit square, to the tolerance of a search. The result has no uv
@@ -61,22 +66,14 @@ public:
   {
     while(workspace.levels.size() < m_minimizers.size())
       workspace.levels.emplace_back();
+    workspace.starts.resize(m_starts.size());
     Uv_coordinates uv, own_warm_start;
-    std::size_t level = m_warm_level;
     if(warm_start != nullptr)
-      uv = transport_map(m_minimizers[level]->patch(), *warm_start, border_uv);
-    if(uv.rows() == 0) {
-      level = m_coarse.size();
-      uv = m_iteration->minimize(border_uv, 1, workspace.iteration).uv;
-    }
-    for(; level > 0 && uv.rows() > 0; --level) {
-      m_minimizers[level]->relax(uv);
-      uv = m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
-      if(level == m_warm_level)
-        own_warm_start = uv;
-      auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, m_coarse_balance);
-      uv = finer ? std::move(*finer) : Uv_coordinates();
-    }
+      uv = refine(m_warm_level, transport_map(m_minimizers[m_warm_level]->patch(), *warm_start, border_uv), workspace,
+                  own_warm_start);
+    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0; ++i)
+      uv = refine(m_starts[i].level, m_starts[i].iteration->minimize(border_uv, 1, workspace.starts[i]).uv, workspace,
+                  own_warm_start);
     if(uv.rows() == 0 && !m_coarse.empty()) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
       uv = m_make_iteration(m_minimizers[0]->patch()).minimize(border_uv, 1, iteration_workspace).uv;
@@ -113,15 +110,38 @@ private:
   static constexpr unsigned int COARSE_ITERATIONS = 200;
   static constexpr int LARGEST_WARM_START = 1000; // vertices; above, to transport a map costs more than it saves
 
-  /// the next coarser patch, with half the interior vertices; none when the patch is small or cannot be made coarser
-  static std::shared_ptr<const Coarse_patch> coarsened(const Patch& patch)
+  static constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
+
+  /// how a coarse patch is mapped
+  struct Start
   {
-    constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
+    std::size_t level;
+    std::unique_ptr<Stretch_iteration> iteration;
+  };
+
+  /// shares of the shape that triangles may lose; the later are tried where the first allow too little
+  typedef std::initializer_list<std::optional<double>> Shapes_kept;
+
+  /// adds patches as long as they get coarser, and a start from the last of them
+  void coarsen(Shapes_kept shapes_kept, const Balanced_options& options)
+  {
+    while(const auto coarse = coarsened(m_minimizers.back()->patch(), shapes_kept)) {
+      m_coarse.push_back(coarse);
+      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(coarse->patch, options));
+    }
+    if(m_starts.empty() || m_starts.back().level < m_coarse.size())
+      m_starts.push_back(
+          {m_coarse.size(), std::make_unique<Stretch_iteration>(m_make_iteration(m_minimizers.back()->patch()))});
+  }
+
+  /// the next coarser patch, with half the interior vertices; none when the patch is small or cannot be made coarser
+  static std::shared_ptr<const Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept)
+  {
     constexpr double LEAST_REMOVED = 0.2;
     const int interior = patch.number_of_vertices() - static_cast<int>(patch.border.size());
     if(interior <= COARSEST)
       return nullptr;
-    for(double least_shape_kept : {0.7, 0.05}) // thin protrusions cannot be shortened without thinner triangles
+    for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
         Patch_coarsener coarsener(patch, least_shape_kept);
         auto coarse = std::make_shared<const Coarse_patch>(coarsener(patch.number_of_vertices() - interior / 2));
@@ -133,9 +153,24 @@ private:
     return nullptr;
   }
 
+  /// brings a map of the patch of a level to the patch itself, ready to be minimised; without rows when a triangle is lost
+  /// in rounding, or when \p uv has none
+  Uv_coordinates refine(std::size_t level, Uv_coordinates uv, Workspace& workspace, Uv_coordinates& warm_start) const
+  {
+    for(; level > 0 && uv.rows() > 0; --level) {
+      m_minimizers[level]->relax(uv);
+      uv = m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
+      if(level == m_warm_level)
+        warm_start = uv;
+      auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, m_coarse_balance);
+      uv = finer ? std::move(*finer) : Uv_coordinates();
+    }
+    return uv;
+  }
+
   std::vector<std::shared_ptr<const Coarse_patch>> m_coarse;     // ever coarser
   std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of the patch, and of each coarse one
-  std::unique_ptr<Stretch_iteration> m_iteration;                // on the coarsest
+  std::vector<Start> m_starts; // from the coarsest that keeps its shape, and from the coarsest
   Iteration_factory m_make_iteration;
   Balanced_options m_options;
   double m_coarse_balance = 0;

@@ -46,7 +46,7 @@ private:
   bool is_exhausted() const
   {
     constexpr long WORK = 400000, LITTLE_WORK = 50000;
-    return m_pool.vertices_mapped() > (has_many_handles(m_surface) ? LITTLE_WORK : WORK);
+    return m_pool.vertices_mapped() > (has_many_loops(m_surface) ? LITTLE_WORK : WORK);
   }
 
   /// the best of the cuts (ties: the first)

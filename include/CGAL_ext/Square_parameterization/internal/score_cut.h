@@ -50,32 +50,51 @@ inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
   return candidates;
 }
 
-/// a stretch of the opened surface on the square that is all but the least: each of a few corners gets a cheap iteration,
-/// and the best goes on with the balanced minimizer
-inline double quick_stretch(const Patch& patch, const Cut_score_options& options)
+/// the best of the maps that a cheap iteration makes for a few corners; none, without uv, when the first of them has
+/// triangles that are too tiny for floating-point numbers
+inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordinates>& borders,
+                                 const Cut_score_options& options)
 {
-  constexpr double TOLERANCE = 1e-3; // the score need not be better than what it decides
   Stretch_minimization start;
   start.maximum_iterations = options.iterations;
   const Stretch_iteration iteration = start.make_iteration(patch);
-  Stretch_iteration::Workspace iteration_workspace;
-  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  Stretch_iteration::Workspace workspace;
   Minimized_map best;
-  for(int candidate : spread_candidates(walk, options.corner_candidates)) {
-    const Square_border border = square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST));
-    Minimized_map map = iteration.minimize(border.uv, 1, iteration_workspace);
+  for(const Uv_coordinates& border : borders) {
+    Minimized_map map = iteration.minimize(border, 1, workspace);
     if(map.report.l2 < best.report.l2)
       best = std::move(map);
+    if(best.uv.rows() == 0)
+      break;
   }
-  if(best.uv.rows() == 0)
-    return best.report.l2;
-  const double start_l2 = best.report.l2;
+  return best;
+}
+
+/// a stretch of the opened surface on the square that is all but the least: each of a few corners gets a cheap iteration,
+/// and the best goes on with the balanced minimizer. Where there is no start for that, one of the corners is mapped from
+/// coarse to fine.
+inline double quick_stretch(const Patch& patch, const Cut_score_options& options)
+{
+  constexpr double TOLERANCE = 1e-3; // the score need not be better than what it decides
+  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  std::vector<Uv_coordinates> borders;
+  for(int candidate : spread_candidates(walk, options.corner_candidates))
+    borders.push_back(square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv);
+  Minimized_map start = quick_start(patch, borders, options);
+  if(start.uv.rows() == 0) {
+    Balanced_minimization minimization;
+    minimization.balance = options.balance;
+    minimization.search_tolerance = TOLERANCE;
+    minimization.maximum_iterations = options.steps;
+    return minimization.make_minimizer(patch).make_worker()(borders.front(), nullptr).report.l2;
+  }
+  const double start_l2 = start.report.l2;
   Balanced_options balanced;
   balanced.balance = options.balance;
   balanced.maximum_iterations = options.steps;
   Balanced_minimizer::Workspace workspace;
   const Balanced_minimizer minimizer(patch, balanced);
-  return (std::min)(start_l2, minimizer.minimize({std::move(best.uv), {}, {}}, TOLERANCE, workspace).report.l2);
+  return (std::min)(start_l2, minimizer.minimize({std::move(start.uv), {}, {}}, TOLERANCE, workspace).report.l2);
 }
 
 /// the opened surface as it is mapped: without chords. Throws `Unmappable` as `make_patch()`, also for a sphere that is

@@ -48,22 +48,24 @@ inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, 
   }
 }
 
-/// the best of the cuts, judged by their searched stretch. Among equals the shortest is the best: the copy that they are
-/// judged on overrates the stretch of short cuts.
+/// the best of the cuts, judged by their searched stretch when there are several. Among equals the shortest is the best:
+/// the copy that they are judged on overrates the stretch of short cuts.
 inline Cut best_judged(const Triangle_surface& surface, std::vector<Scored_cut> cuts, const Cut_score_options& scoring,
                        Thread_team& team, Cut_report& report)
 {
   constexpr double EQUAL = 5e-3; // relative: the copy is right to about that
-  team(cuts.size(), [&](std::size_t i) {
-    Cut_score& score = cuts[i].score;
-    score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
-    score.score = scoring.score(score.stretch, score.length);
-    cuts[i].kind = Cut_step::JUDGED;
-  });
+  if(cuts.size() > 1)
+    team(cuts.size(), [&](std::size_t i) {
+      Cut_score& score = cuts[i].score;
+      score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
+      score.score = scoring.score(score.stretch, score.length);
+      cuts[i].kind = Cut_step::JUDGED;
+    });
   const Scored_cut* best = &*std::min_element(cuts.begin(), cuts.end(), is_better);
   const double limit = (1 + EQUAL) * best->score.score;
   for(const Scored_cut& cut : cuts) {
-    record(cut, report);
+    if(cut.kind == Cut_step::JUDGED)
+      record(cut, report);
     if(cut.score.score <= limit && cut.score.length < best->score.length)
       best = &cut;
   }
@@ -97,10 +99,10 @@ private:
 
   /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
   /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by the search
-  /// and the minimization of the map that is delivered
+  /// and the minimization of the map that is delivered. Where one cut is much like another the best is not judged.
   Cut decide(const Triangle_surface& surface)
   {
-    const std::size_t judged = has_many_handles(surface) ? 1 : 3;
+    const std::size_t judged = has_many_loops(surface) ? 1 : 3;
     constexpr long REFINEMENT_WORK = 30000; // vertices to map
     Cut_pool pool = make_pool(surface);
     std::vector<Scored_cut> cuts = pool.start(grown_cuts(surface));

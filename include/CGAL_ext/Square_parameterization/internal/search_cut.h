@@ -31,12 +31,13 @@ inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& s
 }
 
 /// the stretch of the opened surface when its corners are searched and its map is minimised as that to be delivered, but
-/// to the tolerance of a search; infinite when there is no map
+/// not to its tolerance; infinite when there is no map
 inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance)
 {
+  constexpr double TOLERANCE = 1e-3; // a fifth of what counts as equal
   Balanced_minimization minimization;
   minimization.balance = balance;
-  minimization.tolerance = minimization.search_tolerance;
+  minimization.tolerance = minimization.search_tolerance = TOLERANCE;
   Square_search_options options;
   options.number_of_threads = 1;
   try {

@@ -120,6 +120,9 @@ public:
   /// what all scores together have cost: time is all but proportional to it
   long vertices_mapped() const { return m_vertices_mapped; }
 
+  /// what a score has cost. \pre there is one
+  long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
+
   /// good cuts of different lengths, the shortest first: the best of each of \p count equal ranges of length, unless its
   /// score is far from the best
   std::vector<Cut> selection(int count) const

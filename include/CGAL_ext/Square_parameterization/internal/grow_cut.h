@@ -42,11 +42,12 @@ private:
   static constexpr int PATIENCE = 3;   // changes in a row that may fail to lower the score
   static constexpr int CANDIDATES = 5; // farthest points, and as many stretch maxima, for a terminal
 
-  /// indicates whether enough vertices have been mapped
+  /// indicates whether another terminal, with all of its candidates, would be too much work, in vertices to map
   bool is_exhausted() const
   {
-    constexpr long WORK = 400000, LITTLE_WORK = 50000;
-    return m_pool.vertices_mapped() > (has_many_loops(m_surface) ? LITTLE_WORK : WORK);
+    constexpr long WORK = 400000, LITTLE_WORK = 70000;
+    return m_pool.vertices_mapped() + 2 * CANDIDATES * m_pool.vertices_per_score() >
+           (has_many_loops(m_surface) ? LITTLE_WORK : WORK);
   }
 
   /// the best of the cuts (ties: the first)

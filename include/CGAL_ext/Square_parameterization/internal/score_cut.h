@@ -21,8 +21,9 @@ struct Cut_score_options
   double cut_weight = 0.05; ///< stretch that a cut of length sqrt(area) must save
   double balance = 0.3;     ///< of the energy that is minimised
   int corner_candidates = 8;
-  int iterations = 1; ///< of the stretch iteration, per candidate
-  int steps = 100;    ///< of the balanced minimizer, for the best of them, at most: most need half of them
+  int iterations = 1;      ///< of the stretch iteration, per candidate
+  int steps = 100;         ///< of the balanced minimizer, for the best of them, at most: most need half of them
+  double tolerance = 1e-3; ///< of the minimizer: the score need not be better than what it decides
 
   double score(double stretch, double length) const { return stretch + cut_weight * length; }
 };
@@ -33,7 +34,7 @@ struct Cut_score
   double score = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
   double stretch = std::numeric_limits<double>::infinity();
   double length = 0; ///< in units of sqrt(area)
-  int vertices = 0;  ///< of the opened surface that was mapped: time is all but proportional to it
+  long vertices = 0; ///< of the opened surface that was mapped, several times where maps are slow: what it has cost
 };
 
 /// candidates of the first quarter of the border, spread evenly by length
@@ -48,6 +49,16 @@ inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
     length += walk.length(j);
   }
   return candidates;
+}
+
+/// borders with their corners at the candidates
+inline std::vector<Uv_coordinates> spread_borders(const Patch& patch, int count)
+{
+  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  std::vector<Uv_coordinates> borders;
+  for(int candidate : spread_candidates(walk, count))
+    borders.push_back(square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv);
+  return borders;
 }
 
 /// the best of the maps that a cheap iteration makes for a few corners; none, without uv, when the first of them has
@@ -70,31 +81,27 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   return best;
 }
 
-/// a stretch of the opened surface on the square that is all but the least: each of a few corners gets a cheap iteration,
-/// and the best goes on with the balanced minimizer. Where there is no start for that, one of the corners is mapped from
-/// coarse to fine.
-inline double quick_stretch(const Patch& patch, const Cut_score_options& options)
+/// a stretch that is all but the least for the corners of the start, which goes on with the balanced minimizer
+inline double quick_stretch(const Patch& patch, Minimized_map start, const Cut_score_options& options)
 {
-  constexpr double TOLERANCE = 1e-3; // the score need not be better than what it decides
-  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-  std::vector<Uv_coordinates> borders;
-  for(int candidate : spread_candidates(walk, options.corner_candidates))
-    borders.push_back(square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv);
-  Minimized_map start = quick_start(patch, borders, options);
-  if(start.uv.rows() == 0) {
-    Balanced_minimization minimization;
-    minimization.balance = options.balance;
-    minimization.search_tolerance = TOLERANCE;
-    minimization.maximum_iterations = options.steps;
-    return minimization.make_minimizer(patch).make_worker()(borders.front(), nullptr).report.l2;
-  }
   const double start_l2 = start.report.l2;
   Balanced_options balanced;
   balanced.balance = options.balance;
   balanced.maximum_iterations = options.steps;
   Balanced_minimizer::Workspace workspace;
   const Balanced_minimizer minimizer(patch, balanced);
-  return (std::min)(start_l2, minimizer.minimize({std::move(start.uv), {}, {}}, TOLERANCE, workspace).report.l2);
+  const Minimized_map map = minimizer.minimize({std::move(start.uv), {}, {}}, options.tolerance, workspace);
+  return (std::min)(start_l2, map.report.l2);
+}
+
+/// the same where there is no quick start, by a map from coarse to fine
+inline double slow_stretch(const Patch& patch, const Uv_coordinates& border, const Cut_score_options& options)
+{
+  Balanced_minimization minimization;
+  minimization.balance = options.balance;
+  minimization.search_tolerance = options.tolerance;
+  minimization.maximum_iterations = options.steps;
+  return minimization.make_minimizer(patch).make_worker()(border, nullptr).report.l2;
 }
 
 /// the opened surface as it is mapped: without chords. Throws `Unmappable` as `make_patch()`, also for a sphere that is
@@ -106,16 +113,22 @@ inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
                     opened.border_loops.empty() ? std::vector<int>() : opened.border_loops.front());
 }
 
-/// scores a cut by the stretch that it leaves on the square and by its length
+/// scores a cut by the stretch that it leaves on the square and by its length. Of a few corners a cheap iteration tells
+/// which are mapped in earnest.
 inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options)
 {
+  constexpr int SLOWER = 10; // is a map from coarse to fine
   Cut_score score;
   score.length = cut.length(surface) / std::sqrt(surface.area);
   score.vertices = surface.number_of_vertices();
   try {
     const Patch patch = patch_of_cut(surface, cut);
-    score.vertices = patch.number_of_vertices();
-    score.stretch = quick_stretch(patch, options);
+    const std::vector<Uv_coordinates> borders = spread_borders(patch, options.corner_candidates);
+    Minimized_map start = quick_start(patch, borders, options);
+    const bool is_quick = start.uv.rows() > 0;
+    score.vertices = (is_quick ? 1 : SLOWER) * patch.number_of_vertices();
+    score.stretch =
+        is_quick ? quick_stretch(patch, std::move(start), options) : slow_stretch(patch, borders.front(), options);
   } catch(const Unmappable&) {
     return score; // of this cut nothing is known but that it is not the best
   }

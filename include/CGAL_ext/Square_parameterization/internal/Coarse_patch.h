@@ -143,7 +143,9 @@ private:
     for(int w : {before, after})
       if(m_star[w].size() <= (m_is_border[w] ? 1u : 3u))
         return false;
-    for(std::size_t i = 1; i + 1 < n && m_least_shape_kept; ++i)
+    if(!m_least_shape_kept)
+      return true;
+    for(std::size_t i = 1; i + 1 < n; ++i)
       if(!is_good_replacement(from, to, ring[(place + i) % n], ring[(place + i + 1) % n]))
         return false;
     return true;

@@ -49,30 +49,30 @@ inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, 
   }
 }
 
-/// the best of the cuts, judged by their searched stretch when there are several. Among equals the shortest is the best:
-/// the copy that they are judged on overrates the stretch of short cuts.
-inline Cut best_judged(const Triangle_surface& surface, std::vector<Scored_cut> cuts, const Cut_score_options& scoring,
-                       Thread_team& team, Cut_report& report)
+/// scores the cuts by their searched stretch
+inline void judge(const Triangle_surface& surface, const Cut_score_options& scoring, Thread_team& team,
+                  std::vector<Scored_cut>& cuts, Cut_report& report)
+{
+  team(cuts.size(), [&](std::size_t i) {
+    Cut_score& score = cuts[i].score;
+    score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
+    score.score = scoring.score(score.stretch, score.length);
+    cuts[i].kind = Cut_step::JUDGED;
+  });
+  for(const Scored_cut& cut : cuts)
+    record(cut, report);
+}
+
+/// the best of the cuts; among equals the shortest: the copy that they are judged on overrates the stretch of short cuts
+inline const Scored_cut& shortest_of_best(const std::vector<Scored_cut>& cuts)
 {
   constexpr double EQUAL = 5e-3; // relative: the copy is right to about that
-  if(cuts.size() > 1)
-    team(cuts.size(), [&](std::size_t i) {
-      Cut_score& score = cuts[i].score;
-      score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
-      score.score = scoring.score(score.stretch, score.length);
-      cuts[i].kind = Cut_step::JUDGED;
-    });
   const Scored_cut* best = &*std::min_element(cuts.begin(), cuts.end(), is_better);
   const double limit = (1 + EQUAL) * best->score.score;
-  for(const Scored_cut& cut : cuts) {
-    if(cut.kind == Cut_step::JUDGED)
-      record(cut, report);
+  for(const Scored_cut& cut : cuts)
     if(cut.score.score <= limit && cut.score.length < best->score.length)
       best = &cut;
-  }
-  report.score = best->score.score;
-  report.stretch = best->score.stretch;
-  return best->cut;
+  return *best;
 }
 
 /// decides on a cut that leaves little stretch: cuts are grown on simple copies, and judged on finer ones
@@ -112,7 +112,12 @@ private:
     cuts.erase(std::unique(cuts.begin(), cuts.end(), is_same), cuts.end());
     cuts.resize((std::min)(cuts.size(), judged), cuts.front());
     refine_cut(pool, REFINEMENT_WORK, cuts.front(), m_report);
-    return best_judged(surface, std::move(cuts), m_scoring, m_team, m_report);
+    if(cuts.size() > 1)
+      judge(surface, m_scoring, m_team, cuts, m_report);
+    const Scored_cut& best = shortest_of_best(cuts);
+    m_report.score = best.score.score;
+    m_report.stretch = best.score.stretch;
+    return best.cut;
   }
 
   /// good cuts of different lengths, found on a simple copy. What was grown on a still simpler one competes there, for

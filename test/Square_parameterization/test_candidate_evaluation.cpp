@@ -6,7 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -123,6 +125,35 @@ TEST_CASE("the result is the same for any number of threads and for every run")
         CHECK(evaluation.best_map().uv(0, 0) == expected);
       }
   }
+}
+
+TEST_CASE("the memory of the threads can be freed, and the best map stays")
+{
+  const auto memory = std::make_shared<int>();
+  const auto make_worker = [&memory]() -> Candidate_evaluation::Worker {
+    return [own = memory](int candidate, const internal::Uv_coordinates*) {
+      internal::Minimized_map map;
+      map.uv.setConstant(1, 2, candidate);
+      map.report.objective = candidate;
+      return map;
+    };
+  };
+  Candidate_evaluation evaluation(10, make_worker, 2, nullptr, {});
+  evaluation({7, 5, 6});
+  CHECK(memory.use_count() > 1);
+  evaluation.release_workers();
+  CHECK(memory.use_count() == 1);
+  CHECK(evaluation.best_map().uv(0, 0) == 5);
+}
+
+TEST_CASE("large surfaces are mapped by fewer threads, unless these are asked for")
+{
+  const unsigned int all = internal::default_number_of_threads();
+  CHECK(internal::number_of_search_threads(0, 1) == all);
+  CHECK(internal::number_of_search_threads(0, 10000) == (std::min)(all, 150u));
+  CHECK(internal::number_of_search_threads(0, 600000) == (std::min)(all, 2u));
+  CHECK(internal::number_of_search_threads(0, 50000000) == 1);
+  CHECK(internal::number_of_search_threads(7, 50000000) == 7);
 }
 
 TEST_CASE("candidates without a map are evaluated but never the best")

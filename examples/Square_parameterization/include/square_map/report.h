@@ -76,8 +76,8 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
   for(const auto& sample : result.search.curve)
     json["curve"].push_back(
         {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.stretch)}});
-  const unsigned int threads = line.options.search_options.number_of_threads;
-  json["threads"] = threads == 0 ? CGAL_ext::internal::default_number_of_threads() : threads;
+  json["threads"] = CGAL_ext::internal::number_of_search_threads(line.options.search_options.number_of_threads,
+                                                                 static_cast<int>(mesh.number_of_vertices()));
   json["seconds"] = {{"read", seconds.read},     {"condition", seconds.condition}, {"cut", seconds.cut},
                      {"search", seconds.search}, {"final", seconds.final},         {"write", seconds.write},
                      {"total", seconds.total}};

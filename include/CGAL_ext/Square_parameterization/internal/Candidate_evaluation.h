@@ -10,6 +10,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -22,6 +23,17 @@ namespace internal {
 inline unsigned int default_number_of_threads()
 {
   return static_cast<unsigned int>(tbb::this_task_arena::max_concurrency());
+}
+
+/// the number of threads that map a surface of \p number_of_vertices: as many as asked for; for 0 all cores, but for large
+/// surfaces no more than have room in about 2 GB
+inline unsigned int number_of_search_threads(unsigned int number_of_threads, int number_of_vertices)
+{
+  constexpr int MOST_VERTICES = 1500000; // of all maps under way: each takes 1.2 kB
+  if(number_of_threads != 0)
+    return number_of_threads;
+  return std::clamp(static_cast<unsigned int>(MOST_VERTICES / (std::max)(1, number_of_vertices)), 1u,
+                    default_number_of_threads());
 }
 
 /// thrown out of a strategy by the evaluation when the callback or the visitor asks to stop
@@ -84,6 +96,9 @@ public:
   }
 
   const Minimized_map& best_map() const { return m_best_map; }
+
+  /// frees the memory of the threads. \pre no more candidates are evaluated
+  void release_workers() { m_workers.clear(); }
 
   /// what has been found, but for the corners
   Search_report report() const

@@ -67,7 +67,8 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   Corner_search_problem problem;
   problem.number_of_candidates =
       search.candidate_set() == Candidate_set::FULL ? walk.size() : number_of_quarter_candidates(walk);
-  Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, options.number_of_threads, options.visitor,
+  const unsigned int threads = number_of_search_threads(options.number_of_threads, patch.number_of_vertices());
+  Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, threads, options.visitor,
                                   options.callback);
   problem.stretch_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
   problem.stretch_from_neighbors = [&](const std::vector<int>& candidates) { return evaluation(candidates, true); };
@@ -83,6 +84,7 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   } catch(const Search_cancelled&) {
     // the best so far is delivered, and the report says so
   }
+  evaluation.release_workers();
   Search_outcome outcome{minimizer.finish(evaluation.best_map()), evaluation.report()};
   if(outcome.report.best_candidate >= 0) {
     outcome.report.best_stretch = outcome.map.report.objective;

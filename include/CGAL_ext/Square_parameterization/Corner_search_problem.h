@@ -26,6 +26,11 @@ struct Corner_search_problem
   /// calls before; not on the number of threads. May be empty.
   std::function<std::vector<double>(const std::vector<int>&)> stretch_from_neighbors;
 
+  /// the stretch of the given candidates on a coarser mesh, concurrently: a fraction of the cost, comparable among such
+  /// values only, and lowest near the candidate whose `stretch_of` is lowest. Empty when the mesh has fewer than 8000
+  /// vertices, and when the minimizer has no coarser meshes.
+  std::function<std::vector<double>(const std::vector<int>&)> sketched_stretch_of;
+
   int number_of_vertices = 1; ///< of the mesh that is mapped
   int number_of_faces = 1;    ///< of the mesh that is mapped
 

@@ -27,7 +27,8 @@ struct Search_report
 
   int candidates = 0;          ///< number of candidates the strategy could choose from
   std::size_t evaluations = 0; ///< number of candidates that were mapped, each counted once
-  int best_candidate = -1;     ///< -1 when no candidate has a one-to-one map
+  std::size_t sketches = 0; ///< number of candidates that were mapped on a coarser mesh, to choose those to be mapped
+  int best_candidate = -1;  ///< -1 when no candidate has a one-to-one map
   double best_stretch = std::numeric_limits<double>::infinity(); ///< of the best candidate
   std::array<int, 4> corners{}; ///< positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1)
   std::vector<Sample> curve;    ///< the evaluated candidates, in the order of the candidates

@@ -37,6 +37,7 @@ struct Search_conditions
   CGAL_ext::Search_visitor* visitor = nullptr;
   std::function<bool(double)> callback = {};
 
+  Stretch_curve sketched_stretch = {};             ///< one per candidate; empty: there are no sketches
   int number_of_vertices = 1, number_of_faces = 1; ///< of the mesh that the strategy believes it maps
   std::vector<double> circle_stretch = {};         ///< one per border vertex; empty: there is no map onto a circle
   std::function<std::vector<double>(int)> corner_distances = {};
@@ -53,6 +54,13 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
   CGAL_ext::Corner_search_problem problem;
   problem.number_of_candidates = candidates;
   problem.stretch_of = [&](const std::vector<int>& batch) { return evaluation(batch); };
+  if(!conditions.sketched_stretch.empty())
+    problem.sketched_stretch_of = [&](const std::vector<int>& batch) {
+      Stretch_curve stretch;
+      for(int candidate : batch)
+        stretch.push_back(conditions.sketched_stretch.at(candidate));
+      return stretch;
+    };
   problem.number_of_vertices = conditions.number_of_vertices;
   problem.number_of_faces = conditions.number_of_faces;
   problem.circle_stretch = [&] { return conditions.circle_stretch; };

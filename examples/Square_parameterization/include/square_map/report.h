@@ -61,6 +61,7 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
   json["minimizer"] = line.minimizer;
   json["candidates"] = result.search.candidates;
   json["evaluations"] = result.search.evaluations;
+  json["sketches"] = result.search.sketches;
   std::vector<std::size_t> corners;
   for(Mesh::Vertex_index v : result.corners)
     corners.push_back(v.idx());

@@ -29,6 +29,9 @@ public:
       m_stretch_of = m_problem.stretch_from_neighbors;
   }
 
+  /// from now on candidates are compared on a coarser mesh. \pre there is one, and no candidate is known
+  void compare_sketches() { m_stretch_of = m_problem.sketched_stretch_of; }
+
   int size() const { return m_problem.number_of_candidates; }
 
   /// the candidate at any integer position of the ring

@@ -76,6 +76,19 @@ public:
     };
   }
 
+  /// indicates whether there are sketches: the patch is large, and the minimizer has coarser ones
+  bool has_sketches() const { return m_balanced && m_balanced->has_sketches(); }
+
+  /// a worker that makes maps of a coarse patch, without uv, whose objectives are comparable among themselves.
+  /// \pre `has_sketches()`
+  Worker make_sketching_worker() const
+  {
+    return [this, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](const Uv_coordinates& border_uv,
+                                                                                   const Uv_coordinates*) {
+      return has_chord_on_a_side(m_patch, border_uv) ? Minimized_map() : m_balanced->sketch(border_uv, *workspace);
+    };
+  }
+
   /// the map to deliver, made of the best map of a worker: candidates are mapped no better than needed to compare them
   Minimized_map finish(Minimized_map map) const
   {

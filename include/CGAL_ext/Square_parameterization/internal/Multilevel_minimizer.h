@@ -51,9 +51,8 @@ public:
     m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options));
     // thin protrusions cannot be shortened without thinner triangles
     coarsen({0.7, 0.05}, coarse_options);
-    while(m_minimizers[m_warm_level]->patch().number_of_vertices() > LARGEST_WARM_START &&
-          m_warm_level + 1 < m_minimizers.size())
-      ++m_warm_level;
+    m_warm_level = finest_level(LARGEST_WARM_START);
+    m_sketch_level = finest_level(LARGEST_SKETCH);
     coarsen({std::nullopt}, coarse_options);
   }
 
@@ -64,16 +63,13 @@ public:
   Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
                          const Uv_coordinates* warm_start = nullptr) const
   {
-    while(workspace.levels.size() < m_minimizers.size())
-      workspace.levels.emplace_back();
-    workspace.starts.resize(m_starts.size());
     Uv_coordinates uv, own_warm_start;
+    prepare(workspace);
     if(warm_start != nullptr)
-      uv = refine(m_warm_level, transport_map(m_minimizers[m_warm_level]->patch(), *warm_start, border_uv), workspace,
-                  own_warm_start);
-    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0; ++i)
-      uv = refine(m_starts[i].level, m_starts[i].iteration->minimize(border_uv, 1, workspace.starts[i]).uv, workspace,
-                  own_warm_start);
+      uv = refine(m_warm_level, 0, transport_map(m_minimizers[m_warm_level]->patch(), *warm_start, border_uv),
+                  workspace, own_warm_start);
+    if(uv.rows() == 0)
+      uv = start(border_uv, 0, workspace, own_warm_start);
     if(uv.rows() == 0 && !m_coarse.empty()) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
       uv = m_make_iteration(m_minimizers[0]->patch()).minimize(border_uv, 1, iteration_workspace).uv;
@@ -84,6 +80,32 @@ public:
     Minimized_map map =
         m_minimizers[0]->minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[0]);
     map.warm_start = m_warm_level == 0 ? map.uv : std::move(own_warm_start);
+    return map;
+  }
+
+  /// indicates whether the patch is so large that sketches save time
+  bool has_sketches() const
+  {
+    return m_minimizers[0]->patch().number_of_vertices() >= SMALLEST_SKETCHED &&
+           4 * m_minimizers[m_sketch_level]->patch().number_of_vertices() <=
+               m_minimizers[0]->patch().number_of_vertices();
+  }
+
+  /// the least energy of one of the coarse patches for the border \p border_uv, by which borders can be compared: what the
+  /// finer patches save is much the same for all. Without uv, and infinite when no map was found.
+  /// \pre `has_sketches()`
+  Minimized_map sketch(const Uv_coordinates& border_uv, Workspace& workspace) const
+  {
+    Uv_coordinates ignored;
+    prepare(workspace);
+    Uv_coordinates uv = start(border_uv, m_sketch_level, workspace, ignored);
+    if(uv.rows() == 0)
+      return Minimized_map();
+    const Balanced_minimizer& minimizer = *m_minimizers[m_sketch_level];
+    minimizer.relax(uv);
+    Minimized_map map =
+        minimizer.minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[m_sketch_level]);
+    map.uv.resize(0, 2);
     return map;
   }
 
@@ -109,6 +131,8 @@ private:
   static constexpr double COARSE_TOLERANCE = 1e-5;
   static constexpr unsigned int COARSE_ITERATIONS = 200;
   static constexpr int LARGEST_WARM_START = 1000; // vertices; above, to transport a map costs more than it saves
+  static constexpr int LARGEST_SKETCH = 2000;     // vertices: enough to tell borders apart
+  static constexpr int SMALLEST_SKETCHED = 8000;  // vertices
 
   static constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
 
@@ -153,11 +177,39 @@ private:
     return nullptr;
   }
 
-  /// brings a map of the patch of a level to the patch itself, ready to be minimised; without rows when a triangle is lost
-  /// in rounding, or when \p uv has none
-  Uv_coordinates refine(std::size_t level, Uv_coordinates uv, Workspace& workspace, Uv_coordinates& warm_start) const
+  /// the finest level with at most so many vertices; the coarsest when all have more
+  std::size_t finest_level(int vertices) const
   {
-    for(; level > 0 && uv.rows() > 0; --level) {
+    std::size_t level = 0;
+    while(m_minimizers[level]->patch().number_of_vertices() > vertices && level + 1 < m_minimizers.size())
+      ++level;
+    return level;
+  }
+
+  void prepare(Workspace& workspace) const
+  {
+    while(workspace.levels.size() < m_minimizers.size())
+      workspace.levels.emplace_back();
+    workspace.starts.resize(m_starts.size());
+  }
+
+  /// a map of the patch of level \p to, from the first start that works; without rows when none does
+  Uv_coordinates start(const Uv_coordinates& border_uv, std::size_t to, Workspace& workspace,
+                       Uv_coordinates& warm_start) const
+  {
+    Uv_coordinates uv;
+    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0; ++i)
+      uv = refine(m_starts[i].level, to, m_starts[i].iteration->minimize(border_uv, 1, workspace.starts[i]).uv,
+                  workspace, warm_start);
+    return uv;
+  }
+
+  /// brings a map of the patch of one level to that of another, ready to be minimised; without rows when a triangle is
+  /// lost in rounding, or when \p uv has none
+  Uv_coordinates refine(std::size_t level, std::size_t to, Uv_coordinates uv, Workspace& workspace,
+                        Uv_coordinates& warm_start) const
+  {
+    for(; level > to && uv.rows() > 0; --level) {
       m_minimizers[level]->relax(uv);
       uv = m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
       if(level == m_warm_level)
@@ -174,7 +226,8 @@ private:
   Iteration_factory m_make_iteration;
   Balanced_options m_options;
   double m_coarse_balance = 0;
-  std::size_t m_warm_level = 0; // of the patch whose maps are warm starts
+  std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
+  std::size_t m_sketch_level = 0; // of the patch whose maps are compared
 };
 
 } // namespace internal

@@ -59,8 +59,8 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   const auto border_of = [&](int candidate) {
     return square_border(walk, corners_of_candidate(walk, candidate, options.corner_rule));
   };
-  const auto make_worker = [&]() -> Candidate_evaluation::Worker {
-    return [&, map_for = minimizer.make_worker()](int candidate, const Uv_coordinates* warm_start) {
+  const auto for_candidates = [&](Map_minimizer::Worker map_for) -> Candidate_evaluation::Worker {
+    return [&, map_for = std::move(map_for)](int candidate, const Uv_coordinates* warm_start) {
       return map_for(border_of(candidate).uv, warm_start);
     };
   };
@@ -68,8 +68,17 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   problem.number_of_candidates =
       search.candidate_set() == Candidate_set::FULL ? walk.size() : number_of_quarter_candidates(walk);
   const unsigned int threads = number_of_search_threads(options.number_of_threads, patch.number_of_vertices());
+  const auto make_worker = [&] { return for_candidates(minimizer.make_worker()); };
   Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, threads, options.visitor,
                                   options.callback);
+  const auto make_sketching_worker = [&] { return for_candidates(minimizer.make_sketching_worker()); };
+  const auto may_continue = [&options](double) {
+    return (!options.callback || options.callback(0)) &&
+           (options.visitor == nullptr || options.visitor->may_continue());
+  };
+  Candidate_evaluation sketches(problem.number_of_candidates, make_sketching_worker, threads, nullptr, may_continue);
+  if(minimizer.has_sketches())
+    problem.sketched_stretch_of = [&](const std::vector<int>& candidates) { return sketches(candidates); };
   problem.stretch_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
   problem.stretch_from_neighbors = [&](const std::vector<int>& candidates) { return evaluation(candidates, true); };
   problem.number_of_vertices = patch.number_of_vertices();
@@ -79,13 +88,17 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
 
   if(options.visitor != nullptr)
     options.visitor->start_search(problem.number_of_candidates);
+  bool is_cancelled = false;
   try {
     search(problem);
   } catch(const Search_cancelled&) {
-    // the best so far is delivered, and the report says so
+    is_cancelled = true; // the best so far is delivered
   }
   evaluation.release_workers();
+  sketches.release_workers();
   Search_outcome outcome{minimizer.finish(evaluation.best_map()), evaluation.report()};
+  outcome.report.is_cancelled = is_cancelled;
+  outcome.report.sketches = sketches.report().evaluations;
   if(outcome.report.best_candidate >= 0) {
     outcome.report.best_stretch = outcome.map.report.objective;
     outcome.report.corners = border_of(outcome.report.best_candidate).corners;

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mapped_patches.h"
+#include "search_curve.h"
+
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/square_search.h>
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+namespace {
+
+/// rises strictly to both sides of `bottom` on the ring of n candidates
+Stretch_curve valley(int n, int bottom)
+{
+  Stretch_curve curve;
+  for(int k = 0; k < n; ++k) {
+    const int distance = std::abs(k - bottom);
+    curve.push_back(1 + 0.01 * (std::min)(distance, n - distance));
+  }
+  return curve;
+}
+
+Search_conditions with_sketches(Stretch_curve sketched_stretch)
+{
+  Search_conditions conditions;
+  conditions.sketched_stretch = std::move(sketched_stretch);
+  return conditions;
+}
+
+std::set<int> evaluated(const Search_report& report)
+{
+  std::set<int> candidates;
+  for(const auto& sample : report.curve)
+    candidates.insert(sample.candidate);
+  return candidates;
+}
+
+/// patches that are large enough for sketches
+std::vector<Patch> large_patches()
+{
+  return {make_patch_of(saddle(92)), make_patch_of(noisy_height_field(92))};
+}
+
+} // namespace
+
+TEST_CASE("bracketing maps the candidates round the best sketch, and goes on downhill")
+{
+  const Search_report near = search_curve(valley(200, 78), Bracketing_corner_search(), with_sketches(valley(200, 75)));
+  CHECK(near.best_candidate == 78);
+  CHECK(evaluated(near) == std::set<int>{73, 74, 75, 76, 77, 78, 79});
+  const Search_report exact =
+      search_curve(valley(200, 199), Bracketing_corner_search(), with_sketches(valley(200, 199)));
+  CHECK(exact.best_candidate == 199);
+  CHECK(evaluated(exact) == std::set<int>{197, 198, 199, 0, 1});
+}
+
+TEST_CASE("the best sketch is found among all candidates near the best of even samples")
+{
+  for(int n : {1, 2, 3, 5, 31, 32, 33, 100, 1000})
+    for(int bottom = 0; bottom < n; bottom += 1 + n / 40) {
+      INFO(n << " candidates, bottom " << bottom);
+      const Stretch_curve curve = valley(n, bottom);
+      const Search_report report = search_curve(curve, Bracketing_corner_search(), with_sketches(curve));
+      CHECK(report.best_candidate == bottom);
+      CHECK(report.evaluations == static_cast<std::size_t>((std::min)(n, 5)));
+    }
+}
+
+TEST_CASE("misleading sketches cost no more evaluations than the bound of bracketing")
+{
+  const int n = 200, bound = (std::max)(12, static_cast<int>(2 * std::log2(double(n))) + 4);
+  const Search_report report = search_curve(valley(n, 100), Bracketing_corner_search(), with_sketches(valley(n, 0)));
+  CHECK(static_cast<int>(report.evaluations) <= bound);
+  CHECK(report.best_stretch < valley(n, 100)[2]);
+}
+
+TEST_CASE("where there is no sketch, or no map round the best of them, bracketing does without")
+{
+  const Stretch_curve curve = valley(200, 78);
+  const std::set<int> without = evaluated(search_curve(curve, Bracketing_corner_search()));
+  const Stretch_curve none(200, INFEASIBLE);
+  CHECK(evaluated(search_curve(curve, Bracketing_corner_search(), with_sketches(none))) == without);
+  Stretch_curve holed = curve;
+  for(int k = 140; k < 160; ++k)
+    holed[k] = INFEASIBLE;
+  const Search_report report = search_curve(holed, Bracketing_corner_search(), with_sketches(valley(200, 150)));
+  CHECK(report.best_candidate >= 0);
+  CHECK(report.best_stretch < 1.2);
+}
+
+TEST_CASE("sketches of large patches tell their borders apart as their maps do")
+{
+  for(const Patch& patch : large_patches()) {
+    const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
+    REQUIRE(minimizer.has_sketches());
+    const auto map_for = minimizer.make_worker(), sketch_for = minimizer.make_sketching_worker();
+    const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+    Stretch_curve energies, sketched;
+    for(int i = 0; i < 6; ++i) {
+      const int candidate = i * number_of_quarter_candidates(walk) / 6;
+      const Uv_coordinates border_uv =
+          square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv;
+      energies.push_back(map_for(border_uv, nullptr).report.objective);
+      const Minimized_map sketch = sketch_for(border_uv, nullptr);
+      CHECK(sketch.uv.rows() == 0);
+      sketched.push_back(sketch.report.objective);
+    }
+    for(int i = 0; i < 6; ++i)
+      for(int j = 0; j < 6; ++j)
+        if(energies[i] < 0.995 * energies[j])
+          CHECK(sketched[i] < sketched[j]);
+    const auto spread = std::minmax_element(energies.begin(), energies.end());
+    CHECK(*spread.second > 1.02 * *spread.first); // there is something to tell apart
+  }
+}
+
+TEST_CASE("small patches are mapped without sketches, and so is any patch by the iteration")
+{
+  const Patch small = make_patch_of(saddle(30)), large = make_patch_of(saddle(92));
+  CHECK_FALSE(Balanced_minimization().make_minimizer(small).has_sketches());
+  CHECK_FALSE(Stretch_minimization().make_minimizer(large).has_sketches());
+}
+
+TEST_CASE("a search over a large patch makes sketches, and the same for any number of threads")
+{
+  const Patch patch = make_patch_of(noisy_height_field(92));
+  const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
+  Square_search_options options;
+  options.number_of_threads = 1;
+  const Search_outcome one = search_square_map(patch, minimizer, Bracketing_corner_search(), options);
+  CHECK(one.report.sketches >= 32);
+  CHECK(one.report.evaluations < 12);
+  options.number_of_threads = 3;
+  const Search_outcome three = search_square_map(patch, minimizer, Bracketing_corner_search(), options);
+  CHECK(three.map.uv == one.map.uv);
+  CHECK(three.report.sketches == one.report.sketches);
+}
+
+TEST_CASE("a search may be cancelled while it makes sketches")
+{
+  const Patch patch = make_patch_of(saddle(92));
+  const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
+  Square_search_options options;
+  options.number_of_threads = 1;
+  int asked = 0;
+  options.callback = [&asked](double share) {
+    CHECK(share == 0);
+    return ++asked < 5;
+  };
+  const Search_outcome outcome = search_square_map(patch, minimizer, Bracketing_corner_search(), options);
+  CHECK(asked == 5);
+  CHECK(outcome.report.is_cancelled);
+  CHECK(outcome.report.best_candidate == -1);
+  CHECK(outcome.map.uv.rows() == 0);
+}

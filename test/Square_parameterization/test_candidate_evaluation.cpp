@@ -150,9 +150,9 @@ TEST_CASE("large surfaces are mapped by fewer threads, unless these are asked fo
 {
   const unsigned int all = internal::default_number_of_threads();
   CHECK(internal::number_of_search_threads(0, 1) == all);
-  CHECK(internal::number_of_search_threads(0, 10000) == (std::min)(all, 150u));
-  CHECK(internal::number_of_search_threads(0, 600000) == (std::min)(all, 2u));
-  CHECK(internal::number_of_search_threads(0, 50000000) == 1);
+  CHECK(internal::number_of_search_threads(0, 10000) == (std::min)(all, 100u));
+  CHECK(internal::number_of_search_threads(0, 400000) == (std::min)(all, 2u));
+  CHECK(internal::number_of_search_threads(0, 600000) == 1);
   CHECK(internal::number_of_search_threads(7, 50000000) == 7);
 }
 

@@ -19,7 +19,7 @@ struct Square_search_options
   Corner_rule corner_rule = Corner_rule::NEAREST; ///< where the sides of the square end
   Walk walk = Walk::COUNTER_CLOCKWISE;            ///< direction in which candidates are counted and sides are closed
   unsigned int number_of_threads = 0; ///< 0 for all cores, or as many as have room in about 2 GB when the surface is
-                                      ///< large (1.2 kB a vertex); the result is the same for any number
+                                      ///< large (1 to 3 kB a vertex); the result is the same for any number
   Search_visitor* visitor = nullptr;  ///< is told of the progress and of the result; may be null
 
   /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1]. When it returns

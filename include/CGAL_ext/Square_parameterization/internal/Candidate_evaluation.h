@@ -29,7 +29,7 @@ inline unsigned int default_number_of_threads()
 /// surfaces no more than have room in about 2 GB
 inline unsigned int number_of_search_threads(unsigned int number_of_threads, int number_of_vertices)
 {
-  constexpr int MOST_VERTICES = 1500000; // of all maps under way: each takes 1.2 kB
+  constexpr int MOST_VERTICES = 1000000; // of all maps under way: each takes 1 to 3 kB
   if(number_of_threads != 0)
     return number_of_threads;
   return std::clamp(static_cast<unsigned int>(MOST_VERTICES / (std::max)(1, number_of_vertices)), 1u,

@@ -21,25 +21,6 @@ using namespace CGAL_ext;
 
 namespace {
 
-/// one valley at `bottom` on the ring of n candidates, with strictly rising sides
-Stretch_curve valley(int n, int bottom)
-{
-  Stretch_curve curve;
-  for(int k = 0; k < n; ++k) {
-    const int distance = std::abs(k - bottom);
-    curve.push_back(1 + 0.01 * (std::min)(distance, n - distance));
-  }
-  return curve;
-}
-
-std::set<int> evaluated(const Search_report& report)
-{
-  std::set<int> candidates;
-  for(const auto& sample : report.curve)
-    candidates.insert(sample.candidate);
-  return candidates;
-}
-
 /// a border of as many vertices as candidates; candidate j puts vertex j onto a corner, and vertices far from j (in
 /// index) far from it. `circle_stretch` is given.
 Search_conditions circle_conditions(int n, std::vector<double> circle_stretch)

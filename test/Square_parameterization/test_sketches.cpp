@@ -17,30 +17,11 @@ using namespace CGAL_ext::internal;
 
 namespace {
 
-/// rises strictly to both sides of `bottom` on the ring of n candidates
-Stretch_curve valley(int n, int bottom)
-{
-  Stretch_curve curve;
-  for(int k = 0; k < n; ++k) {
-    const int distance = std::abs(k - bottom);
-    curve.push_back(1 + 0.01 * (std::min)(distance, n - distance));
-  }
-  return curve;
-}
-
 Search_conditions with_sketches(Stretch_curve sketched_stretch)
 {
   Search_conditions conditions;
   conditions.sketched_stretch = std::move(sketched_stretch);
   return conditions;
-}
-
-std::set<int> evaluated(const Search_report& report)
-{
-  std::set<int> candidates;
-  for(const auto& sample : report.curve)
-    candidates.insert(sample.candidate);
-  return candidates;
 }
 
 /// patches that are large enough for sketches

@@ -9,14 +9,28 @@
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/internal/Candidate_evaluation.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <limits>
+#include <set>
 #include <vector>
 
 /// a stretch for every candidate
 typedef std::vector<double> Stretch_curve;
 
 const double INFEASIBLE = std::numeric_limits<double>::infinity();
+
+/// one valley at `bottom` on the ring of n candidates, with strictly rising sides
+inline Stretch_curve valley(int n, int bottom)
+{
+  Stretch_curve curve;
+  for(int k = 0; k < n; ++k) {
+    const int distance = std::abs(k - bottom);
+    curve.push_back(1 + 0.01 * (std::min)(distance, n - distance));
+  }
+  return curve;
+}
 
 /// a worker for `Candidate_evaluation` that reads the stretch from the curve; the map it makes has the candidate as its uv
 inline CGAL_ext::internal::Candidate_evaluation::Worker worker_of(const Stretch_curve& curve)
@@ -71,6 +85,15 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
     // the report says so
   }
   return evaluation.report();
+}
+
+/// the candidates that were mapped
+inline std::set<int> evaluated(const CGAL_ext::Search_report& report)
+{
+  std::set<int> candidates;
+  for(const auto& sample : report.curve)
+    candidates.insert(sample.candidate);
+  return candidates;
 }
 
 #endif // CGAL_EXT_SEARCH_CURVE_H

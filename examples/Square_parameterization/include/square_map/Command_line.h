@@ -201,7 +201,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   add("seed", po::value(&tuning.seed)->value_name("N"), "particle-swarm: seed; default 0");
   add("eta", po::value(&eta)->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
   add("patience", po::value(&patience)->value_name("N"), "iterates that may fail to be lower; default 1");
-  add("threads", po::value(&threads)->value_name("N"), "threads; 0 (default) for all cores");
+  add("threads", po::value(&threads)->value_name("N"), "threads; 0 (default) for all cores, fewer on large surfaces");
   add("corners", po::value(&corners)->value_name("a,b,c,d"),
       "four border vertices, counter-clockwise, counted from 0: no search");
   add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");

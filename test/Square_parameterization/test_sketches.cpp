@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/square_search.h>
 
 #include <catch2/catch.hpp>
@@ -83,17 +84,14 @@ TEST_CASE("sketches of large patches tell their borders apart as their maps do")
     const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
     REQUIRE(minimizer.has_sketches());
     const auto map_for = minimizer.make_worker(), sketch_for = minimizer.make_sketching_worker();
-    const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
     Stretch_curve energies, sketched;
-    for(int i = 0; i < 6; ++i) {
-      const int candidate = i * number_of_quarter_candidates(walk) / 6;
-      const Uv_coordinates border_uv =
-          square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv;
+    for(const Uv_coordinates& border_uv : spread_borders(patch, 6)) {
       energies.push_back(map_for(border_uv, nullptr).report.objective);
       const Minimized_map sketch = sketch_for(border_uv, nullptr);
       CHECK(sketch.uv.rows() == 0);
       sketched.push_back(sketch.report.objective);
     }
+    REQUIRE(energies.size() == 6);
     for(int i = 0; i < 6; ++i)
       for(int j = 0; j < 6; ++j)
         if(energies[i] < 0.995 * energies[j])

@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  /// the candidates evaluated so far; no more than the bound
+  /// a ring of which no more candidates are evaluated than the bound
   struct Samples
   {
     explicit Samples(const Corner_search_problem& problem)
@@ -58,29 +58,27 @@ private:
     {
       std::vector<int> batch;
       for(int candidate : candidates)
-        if(known.size() < bound && known.insert(candidate).second)
+        if(ring.number_of_known() + static_cast<int>(batch.size()) < bound && !ring.is_known(candidate))
           batch.push_back(candidate);
       if(!batch.empty())
         ring.evaluate(batch);
       return !batch.empty();
     }
 
-    bool are_all() const { return known.size() == bound || static_cast<int>(known.size()) == ring.size(); }
+    bool are_all() const { return ring.number_of_known() == (std::min)(bound, ring.size()); }
 
     internal::Candidate_ring ring;
-    std::size_t bound;
-    std::set<int> known;
+    int bound;
   };
 
   /// samples valley by valley
   static void close_in(Samples& samples)
   {
     while(!samples.are_all()) {
-      const std::optional<Valley> valley = most_promising(samples.ring, samples.known);
-      if(!valley && !has_several_valleys(samples.ring, samples.known))
+      const std::optional<Valley> valley = most_promising(samples.ring);
+      if(!valley && !has_several_valleys(samples.ring))
         break;
-      samples.evaluate(valley ? next_samples(*valley, samples.ring)
-                              : middle_of_largest_gap(samples.ring, samples.known));
+      samples.evaluate(valley ? next_samples(*valley, samples.ring) : middle_of_largest_gap(samples.ring));
     }
   }
 
@@ -152,9 +150,9 @@ private:
   }
 
   /// indicates whether the curve is seen not to be unimodal: more samples are due then
-  static bool has_several_valleys(const internal::Candidate_ring& ring, const std::set<int>& known)
+  static bool has_several_valleys(const internal::Candidate_ring& ring)
   {
-    const std::vector<int> positions(known.begin(), known.end());
+    const std::vector<int> positions = ring.known();
     const std::size_t count = positions.size();
     int valleys = 0;
     for(std::size_t i = 0; i < count; ++i) {
@@ -165,9 +163,9 @@ private:
     return valleys > 1;
   }
 
-  static std::set<int> middle_of_largest_gap(const internal::Candidate_ring& ring, const std::set<int>& known)
+  static std::set<int> middle_of_largest_gap(const internal::Candidate_ring& ring)
   {
-    const std::vector<int> positions(known.begin(), known.end());
+    const std::vector<int> positions = ring.known();
     long largest = 0, middle = 0;
     for(std::size_t i = 0; i < positions.size(); ++i) {
       const long next = i + 1 < positions.size() ? positions[i + 1] : positions[0] + ring.size();
@@ -180,10 +178,10 @@ private:
   }
 
   /// the valley with unknown candidates whose promise is lowest; none when none is worth a look
-  static std::optional<Valley> most_promising(const internal::Candidate_ring& ring, const std::set<int>& known)
+  static std::optional<Valley> most_promising(const internal::Candidate_ring& ring)
   {
     constexpr double NEGLIGIBLE = 1e-5; // relative: less than this is not worth an evaluation
-    const std::vector<int> positions(known.begin(), known.end());
+    const std::vector<int> positions = ring.known();
     const std::size_t count = positions.size();
     const double best = ring.stretch(ring.best());
     std::optional<Valley> found;

@@ -37,6 +37,16 @@ public:
   /// the candidate at any integer position of the ring
   int at(long position) const { return static_cast<int>(((position % size()) + size()) % size()); }
 
+  /// the candidates evaluated so far, ascending
+  std::vector<int> known() const
+  {
+    std::vector<int> candidates;
+    for(const auto& entry : m_stretch)
+      candidates.push_back(entry.first);
+    return candidates;
+  }
+
+  int number_of_known() const { return static_cast<int>(m_stretch.size()); }
   bool is_known(int candidate) const { return m_stretch.count(candidate) != 0; }
   double stretch(int candidate) const { return m_stretch.at(candidate); }
   int best() const { return m_best; }

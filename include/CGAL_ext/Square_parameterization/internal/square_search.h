@@ -10,6 +10,7 @@
 #include <CGAL_ext/Square_parameterization/internal/Map_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/border_curves.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,14 +72,16 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   const auto make_worker = [&] { return for_candidates(minimizer.make_worker()); };
   Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, threads, options.visitor,
                                   options.callback);
-  const auto make_sketching_worker = [&] { return for_candidates(minimizer.make_sketching_worker()); };
-  const auto may_continue = [&options](double) {
-    return (!options.callback || options.callback(0)) &&
-           (options.visitor == nullptr || options.visitor->may_continue());
-  };
-  Candidate_evaluation sketches(problem.number_of_candidates, make_sketching_worker, threads, nullptr, may_continue);
-  if(minimizer.has_sketches())
-    problem.sketched_stretch_of = [&](const std::vector<int>& candidates) { return sketches(candidates); };
+  std::optional<Candidate_evaluation> sketches;
+  if(minimizer.has_sketches()) {
+    const auto make_sketching_worker = [&] { return for_candidates(minimizer.make_sketching_worker()); };
+    const auto may_continue = [&options](double) {
+      return (!options.callback || options.callback(0)) &&
+             (options.visitor == nullptr || options.visitor->may_continue());
+    };
+    sketches.emplace(problem.number_of_candidates, make_sketching_worker, threads, nullptr, may_continue);
+    problem.sketched_stretch_of = [&](const std::vector<int>& candidates) { return (*sketches)(candidates); };
+  }
   problem.stretch_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
   problem.stretch_from_neighbors = [&](const std::vector<int>& candidates) { return evaluation(candidates, true); };
   problem.number_of_vertices = patch.number_of_vertices();
@@ -88,17 +91,18 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
 
   if(options.visitor != nullptr)
     options.visitor->start_search(problem.number_of_candidates);
-  bool is_cancelled = false;
   try {
     search(problem);
   } catch(const Search_cancelled&) {
-    is_cancelled = true; // the best so far is delivered
+    // the best so far is delivered, and the report says so
   }
   evaluation.release_workers();
-  sketches.release_workers();
   Search_outcome outcome{minimizer.finish(evaluation.best_map()), evaluation.report()};
-  outcome.report.is_cancelled = is_cancelled;
-  outcome.report.sketches = sketches.report().evaluations;
+  if(sketches) {
+    const Search_report sketching = sketches->report();
+    outcome.report.sketches = sketching.evaluations;
+    outcome.report.is_cancelled |= sketching.is_cancelled;
+  }
   if(outcome.report.best_candidate >= 0) {
     outcome.report.best_stretch = outcome.map.report.objective;
     outcome.report.corners = border_of(outcome.report.best_candidate).corners;

@@ -17,12 +17,12 @@ namespace CGAL_ext {
 /// is sampled again, until no valley promises less than the best candidate known. On a curve with several valleys the
 /// largest gaps are sampled, too. Maps start from those of their neighbors.
 ///
-/// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched first: 32 even samples, and
-/// all between the best of them and its neighbors. The candidate with the best sketch and the two on either side are then
-/// mapped, and it goes on downhill from the best.
+/// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched first: 32 even samples, then
+/// about as many between the best of them and its neighbors, and so on. The candidate with the best sketch and the two on
+/// either side are then mapped, and it goes on downhill from the best.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about
-/// \f$ 32 + m / 16 \f$ sketches. Deterministic; finds the optimum of curves that are smooth on the scale of the samples,
+/// 32 sketches for each factor of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples,
 /// as the balanced energy is on most meshes.
 /// \cgalModels `CornerSearch`
 class Bracketing_corner_search
@@ -108,8 +108,8 @@ private:
     return samples;
   }
 
-  /// the best candidate of a coarser mesh: of even samples, and of all between the best of these and its neighbors; none
-  /// when there is no such mesh or it has no map
+  /// the best candidate of a coarser mesh: of even samples, and ever finer ones round the best; none when there is no such
+  /// mesh or it has no map
   static std::optional<int> best_sketch(const Corner_search_problem& problem)
   {
     constexpr int SAMPLES = 32;
@@ -121,8 +121,25 @@ private:
     ring.evaluate({samples.begin(), samples.end()});
     if(!std::isfinite(ring.stretch(ring.best())))
       return {};
-    ring.evaluate_around_best();
+    for(std::set<int> finer; !(finer = samples_around_best(ring, SAMPLES)).empty();)
+      ring.evaluate({finer.begin(), finer.end()});
     return ring.best();
+  }
+
+  /// about \p count even samples of the unknown candidates between the best one and its nearest known neighbors
+  static std::set<int> samples_around_best(const internal::Candidate_ring& ring, int count)
+  {
+    int left = 1, right = 1; // distances
+    while(left < ring.size() && !ring.is_known(ring.at(ring.best() - left)))
+      ++left;
+    while(right < ring.size() && !ring.is_known(ring.at(ring.best() + right)))
+      ++right;
+    const int step = (std::max)(1, (left + right - 2 + count - 1) / count);
+    std::set<int> samples;
+    for(int offset = step - left; offset < right; offset += step)
+      if(!ring.is_known(ring.at(ring.best() + offset)))
+        samples.insert(ring.at(ring.best() + offset));
+    return samples;
   }
 
   /// a known candidate between two known ones that are not lower; positions on the unrolled ring

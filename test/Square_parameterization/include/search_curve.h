@@ -68,8 +68,10 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
   CGAL_ext::Corner_search_problem problem;
   problem.number_of_candidates = candidates;
   problem.stretch_of = [&](const std::vector<int>& batch) { return evaluation(batch); };
+  std::size_t sketches = 0;
   if(!conditions.sketched_stretch.empty())
     problem.sketched_stretch_of = [&](const std::vector<int>& batch) {
+      sketches += batch.size();
       Stretch_curve stretch;
       for(int candidate : batch)
         stretch.push_back(conditions.sketched_stretch.at(candidate));
@@ -84,7 +86,9 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
   } catch(const CGAL_ext::internal::Search_cancelled&) {
     // the report says so
   }
-  return evaluation.report();
+  CGAL_ext::Search_report report = evaluation.report();
+  report.sketches = sketches;
+  return report;
 }
 
 /// the candidates that were mapped

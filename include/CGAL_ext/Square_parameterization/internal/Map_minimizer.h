@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 namespace CGAL_ext {
@@ -56,6 +57,7 @@ public:
   Map_minimizer(const Patch& patch, Iteration_factory make_start, const Balanced_options& options)
     : m_patch(patch),
       m_make_iteration(std::move(make_start)),
+      m_balanced_options(options),
       m_balanced(std::make_unique<Multilevel_minimizer>(patch, m_make_iteration, options))
   {}
 
@@ -66,7 +68,8 @@ public:
                                                                                      const Uv_coordinates* warm_start) {
         if(has_chord_on_a_side(m_patch, border_uv))
           return Minimized_map();
-        return if_one_to_one(m_balanced->minimize(border_uv, *workspace, warm_start));
+        Minimized_map map = m_balanced->minimize(border_uv, *workspace, warm_start);
+        return if_one_to_one(map.uv.rows() == 0 ? map_with_whole_border(border_uv) : std::move(map));
       };
     return [this, workspace = std::make_shared<Stretch_iteration::Workspace>()](const Uv_coordinates& border_uv,
                                                                                 const Uv_coordinates*) {
@@ -111,7 +114,7 @@ public:
       border_uv.col(0).swap(border_uv.col(1));
     // what is minimised supposes the area 1; a unit square is left as it is
     const double scale = std::abs(std::abs(area) - 1) < 1e-12 ? 1 : 1 / std::sqrt(std::abs(area));
-    Minimized_map map = finish(make_worker()(scale * border_uv, nullptr));
+    Minimized_map map = map_convex_border(scale * border_uv);
     if(map.uv.rows() == 0)
       return map;
     if(scale != 1) {
@@ -132,6 +135,28 @@ public:
   }
 
 private:
+  /// maps for a border of area 1; one that is not the unit square does not slide
+  Minimized_map map_convex_border(const Uv_coordinates& border_uv) const
+  {
+    const auto rows = border_uv.rowwise();
+    const bool is_square = std::all_of(rows.begin(), rows.end(), is_on_unit_square);
+    return finish(!m_balanced || is_square || m_balanced->keeps_border()
+                      ? make_worker()(border_uv, nullptr)
+                      : if_one_to_one(map_with_whole_border(border_uv)));
+  }
+
+  /// what a coarse border has no room for, or would let slide, is mapped without. Without uv where the border is kept anyway
+  Minimized_map map_with_whole_border(const Uv_coordinates& border_uv) const
+  {
+    if(m_balanced->keeps_border())
+      return Minimized_map();
+    std::call_once(m_whole_border_made, [this] {
+      m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_make_iteration, m_balanced_options, false);
+    });
+    Multilevel_minimizer::Workspace workspace;
+    return m_whole_border->minimize(border_uv, workspace);
+  }
+
   /// the map, repaired where rounding has left triangles flat or flipped; without uv when that fails
   Minimized_map if_one_to_one(Minimized_map map) const
   {
@@ -150,7 +175,10 @@ private:
   const Patch& m_patch;
   Iteration_factory m_make_iteration;
   std::shared_ptr<const Stretch_iteration> m_iteration;   // one of these two
+  Balanced_options m_balanced_options;                    //
   std::unique_ptr<const Multilevel_minimizer> m_balanced; //
+  mutable std::once_flag m_whole_border_made;
+  mutable std::unique_ptr<const Multilevel_minimizer> m_whole_border; // made when needed
 };
 
 } // namespace internal

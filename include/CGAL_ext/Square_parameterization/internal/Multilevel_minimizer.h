@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MULTILEVEL_MINIMIZER_H
 
 #include <CGAL_ext/Square_parameterization/internal/Balanced_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/Patch_coarsener.h>
 #include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/insert_vertices.h>
 #include <CGAL_ext/Square_parameterization/internal/transport_map.h>
@@ -27,8 +28,11 @@ namespace internal {
 /// tiny for floating-point numbers, and folded surfaces are not made coarse enough to avoid that. Then patches follow that
 /// do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a start.
 ///
+/// Where much of a patch is border, the border is made coarse, too; a border vertex that is put back slides from its
+/// neighbor into place.
+///
 /// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The patches do
-/// not depend on the border, and serve all of its maps.
+/// not depend on the places of the border vertices, and serve all maps.
 class Multilevel_minimizer
 {
 public:
@@ -41,8 +45,12 @@ public:
 
   typedef std::function<Stretch_iteration(const Patch&)> Iteration_factory;
 
-  Multilevel_minimizer(const Patch& patch, Iteration_factory make_iteration, const Balanced_options& options)
-    : m_make_iteration(std::move(make_iteration)), m_options(options)
+  /// \param may_coarsen_border false for maps onto other borders than the unit square, too
+  Multilevel_minimizer(const Patch& patch, Iteration_factory make_iteration, const Balanced_options& options,
+                       bool may_coarsen_border = true)
+    : m_make_iteration(std::move(make_iteration)),
+      m_options(options),
+      m_may_coarsen_border(may_coarsen_border && options.is_border_sliding)
   {
     Balanced_options coarse_options = options;
     coarse_options.balance = (std::max)(options.balance, LEAST_COARSE_BALANCE);
@@ -56,8 +64,10 @@ public:
     coarsen({std::nullopt}, coarse_options);
   }
 
-  /// maps for the border \p border_uv (#B by 2) on the unit square, to the tolerance of a search. The result has no uv
-  /// when no map without flips was found to start from.
+  /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
+  /// flips was found to start from: for want of room, too, where the corners are close together and `keeps_border()` is
+  /// false.
+  /// \pre the border is on the unit square, or `keeps_border()`
   /// \param warm_start of a map for a similar border, the map of one of the coarse patches; it saves the coarser ones. May
   ///        be null.
   Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
@@ -65,11 +75,13 @@ public:
   {
     Uv_coordinates uv, own_warm_start;
     prepare(workspace);
-    if(warm_start != nullptr)
-      uv = refine(m_warm_level, 0, transport_map(m_minimizers[m_warm_level]->patch(), *warm_start, border_uv),
+    const Borders borders = coarse_borders(border_uv);
+    if(warm_start != nullptr && m_warm_level < borders.size())
+      uv = refine(m_warm_level, 0,
+                  transport_map(m_minimizers[m_warm_level]->patch(), *warm_start, borders[m_warm_level]), borders,
                   workspace, own_warm_start);
     if(uv.rows() == 0)
-      uv = start(border_uv, 0, workspace, own_warm_start);
+      uv = start(borders, 0, workspace, own_warm_start);
     if(uv.rows() == 0 && !m_coarse.empty()) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
       uv = m_make_iteration(m_minimizers[0]->patch()).minimize(border_uv, 1, iteration_workspace).uv;
@@ -81,6 +93,12 @@ public:
         m_minimizers[0]->minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[0]);
     map.warm_start = m_warm_level == 0 ? map.uv : std::move(own_warm_start);
     return map;
+  }
+
+  /// indicates whether the coarse patches have the border of the patch
+  bool keeps_border() const
+  {
+    return m_minimizers.back()->patch().border.size() == m_minimizers[0]->patch().border.size();
   }
 
   /// indicates whether the patch is so large that sketches save time
@@ -98,7 +116,7 @@ public:
   {
     Uv_coordinates ignored;
     prepare(workspace);
-    Uv_coordinates uv = start(border_uv, m_sketch_level, workspace, ignored);
+    Uv_coordinates uv = start(coarse_borders(border_uv), m_sketch_level, workspace, ignored);
     if(uv.rows() == 0)
       return Minimized_map();
     const Balanced_minimizer& minimizer = *m_minimizers[m_sketch_level];
@@ -143,6 +161,8 @@ private:
     std::unique_ptr<Stretch_iteration> iteration;
   };
 
+  typedef std::vector<Uv_coordinates> Borders; // of the patch and of each coarse one: #B by 2
+
   /// shares of the shape that triangles may lose; the later are tried where the first allow too little
   typedef std::initializer_list<std::optional<double>> Shapes_kept;
 
@@ -158,18 +178,23 @@ private:
           {m_coarse.size(), std::make_unique<Stretch_iteration>(m_make_iteration(m_minimizers.back()->patch()))});
   }
 
-  /// the next coarser patch, with half the interior vertices; none when the patch is small or cannot be made coarser
-  static std::shared_ptr<const Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept)
+  /// the next coarser patch, with half the interior vertices; none when the patch is small or cannot be made coarser.
+  /// A border that slides is made coarser, too, where it would soon be most of a large patch, and from then on.
+  std::shared_ptr<const Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept) const
   {
-    constexpr double LEAST_REMOVED = 0.2;
-    const int interior = patch.number_of_vertices() - static_cast<int>(patch.border.size());
+    constexpr double LEAST_REMOVED = 0.2, LARGEST_BORDER = 0.5; // shares of the interior
+    constexpr int LARGE = 2000;                                 // vertices
+    const int border = static_cast<int>(patch.border.size()), interior = patch.number_of_vertices() - border;
     if(interior <= COARSEST)
       return nullptr;
+    const bool is_small = patch.number_of_vertices() <= LARGE && keeps_border();
+    const bool keeps = !m_may_coarsen_border || is_small || border < LARGEST_BORDER * interior;
+    const int removable = keeps ? interior : interior + border;
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
-        Patch_coarsener coarsener(patch, least_shape_kept);
-        auto coarse = std::make_shared<const Coarse_patch>(coarsener(patch.number_of_vertices() - interior / 2));
-        if(coarse->removals.size() >= LEAST_REMOVED * interior)
+        Patch_coarsener coarsener(patch, least_shape_kept, keeps);
+        auto coarse = std::make_shared<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / 2));
+        if(coarse->removals.size() >= LEAST_REMOVED * removable)
           return coarse;
       } catch(const Unmappable&) {
         // too degenerate to be a patch: the finer one does without
@@ -193,28 +218,43 @@ private:
     workspace.starts.resize(m_starts.size());
   }
 
+  /// the borders of the patches, as far as they have four corners
+  Borders coarse_borders(const Uv_coordinates& border_uv) const
+  {
+    Borders borders{border_uv};
+    for(const auto& coarse : m_coarse) {
+      auto border = coarse_border(m_minimizers[borders.size() - 1]->patch(), *coarse, borders.back());
+      if(!border)
+        break;
+      borders.push_back(std::move(*border));
+    }
+    return borders;
+  }
+
   /// a map of the patch of level \p to, from the first start that works; without rows when none does
-  Uv_coordinates start(const Uv_coordinates& border_uv, std::size_t to, Workspace& workspace,
-                       Uv_coordinates& warm_start) const
+  Uv_coordinates start(const Borders& borders, std::size_t to, Workspace& workspace, Uv_coordinates& warm_start) const
   {
     Uv_coordinates uv;
-    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0; ++i)
-      uv = refine(m_starts[i].level, to, m_starts[i].iteration->minimize(border_uv, 1, workspace.starts[i]).uv,
-                  workspace, warm_start);
+    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
+      const auto& [level, iteration] = m_starts[i];
+      uv = refine(level, to, iteration->minimize(borders[level], 1, workspace.starts[i]).uv, borders, workspace,
+                  warm_start);
+    }
     return uv;
   }
 
   /// brings a map of the patch of one level to that of another, ready to be minimised; without rows when a triangle is
   /// lost in rounding, or when \p uv has none
-  Uv_coordinates refine(std::size_t level, std::size_t to, Uv_coordinates uv, Workspace& workspace,
-                        Uv_coordinates& warm_start) const
+  Uv_coordinates refine(std::size_t level, std::size_t to, Uv_coordinates uv, const Borders& borders,
+                        Workspace& workspace, Uv_coordinates& warm_start) const
   {
     for(; level > to && uv.rows() > 0; --level) {
       m_minimizers[level]->relax(uv);
       uv = m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
       if(level == m_warm_level)
         warm_start = uv;
-      auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, m_coarse_balance);
+      auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, borders[level - 1],
+                                   m_coarse_balance);
       uv = finer ? std::move(*finer) : Uv_coordinates();
     }
     return uv;
@@ -225,6 +265,7 @@ private:
   std::vector<Start> m_starts; // from the coarsest that keeps its shape, and from the coarsest
   Iteration_factory m_make_iteration;
   Balanced_options m_options;
+  bool m_may_coarsen_border;
   double m_coarse_balance = 0;
   std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
   std::size_t m_sketch_level = 0; // of the patch whose maps are compared

@@ -12,11 +12,10 @@ namespace internal {
 /// which coordinates of the vertices may move: #V by 2
 typedef Eigen::Matrix<bool, Eigen::Dynamic, 2, Eigen::RowMajor> Free_coordinates;
 
-/// indicates whether every border vertex lies on a side of the unit square
-inline bool is_border_on_unit_square(const Patch& patch, const Uv_coordinates& uv)
+/// indicates whether a point lies on a side of the unit square
+inline bool is_on_unit_square(const Eigen::RowVector2d& p)
 {
-  return std::all_of(patch.border.begin(), patch.border.end(),
-                     [&uv](int v) { return uv(v, 0) == 0 || uv(v, 0) == 1 || uv(v, 1) == 0 || uv(v, 1) == 1; });
+  return p.x() == 0 || p.x() == 1 || p.y() == 0 || p.y() == 1;
 }
 
 /// the interior moves; the border stays, or slides along the sides of the unit square with its corners fixed. A border
@@ -24,7 +23,8 @@ inline bool is_border_on_unit_square(const Patch& patch, const Uv_coordinates& u
 inline Free_coordinates free_coordinates(const Patch& patch, const Uv_coordinates& uv, bool is_border_sliding)
 {
   Free_coordinates is_free = Free_coordinates::Constant(uv.rows(), 2, true);
-  const bool may_slide = is_border_sliding && is_border_on_unit_square(patch, uv);
+  const bool may_slide = is_border_sliding && std::all_of(patch.border.begin(), patch.border.end(),
+                                                          [&uv](int v) { return is_on_unit_square(uv.row(v)); });
   for(int v : patch.border)
     for(int axis = 0; axis < 2; ++axis) {
       const double across = uv(v, 1 - axis), along = uv(v, axis);

@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_INSERT_VERTICES_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_INSERT_VERTICES_H
 
-#include <CGAL_ext/Square_parameterization/internal/Coarse_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/Vertex_star.h>
+#include <CGAL_ext/Square_parameterization/internal/coarse_border.h>
 
 #include <optional>
 #include <vector>
@@ -50,42 +50,107 @@ inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen
   return center;
 }
 
-/// puts the vertices that a coarse patch left out back into its map, in the reverse order: each into the middle of its
-/// ring, or into the kernel of the ring, and then where the energy of its triangles is low. The kernel is never empty:
-/// the vertex that took its place sees the whole ring.
+/// puts a vertex where the energy of the triangles around it is low
+class Vertex_insertion
+{
+public:
+  Vertex_insertion(const Patch& patch, double balance, Uv_coordinates& uv) : m_patch(patch), m_star(balance), m_uv(uv)
+  {}
+
+  /// puts an interior vertex into the middle of its ring, or into the kernel of the ring, and then where the energy is
+  /// low. Returns false when the kernel is lost in rounding.
+  bool insert_inside(int vertex, const std::vector<int>& ring)
+  {
+    std::vector<Eigen::RowVector2d> ring_uv;
+    Eigen::RowVector2d position(0, 0);
+    m_star.clear(m_uv.row(ring[0]));
+    for(std::size_t i = 0; i < ring.size(); ++i) {
+      add_triangle(vertex, ring[i], ring[(i + 1) % ring.size()]);
+      ring_uv.push_back(m_uv.row(ring[i]));
+      position += m_uv.row(ring[i]) / ring.size();
+    }
+    if(!std::isfinite(m_star.energy(position))) {
+      const std::optional<Eigen::RowVector2d> seeing = point_in_kernel(ring_uv);
+      if(!seeing || !std::isfinite(m_star.energy(*seeing)))
+        return false;
+      position = *seeing;
+    }
+    settle(vertex, position, {true, true});
+    return true;
+  }
+
+  /// puts a border vertex on the side of the square between \p near, which sees all of \p ring when the vertex is close
+  /// to it, and \p far: at its place by length, or nearer. Returns false when that is lost in rounding.
+  bool insert_on_side(int vertex, const std::vector<int>& ring, int near, int far)
+  {
+    constexpr int MAXIMUM_HALVINGS = 50;
+    m_star.clear(m_uv.row(near));
+    for(std::size_t i = 0; i + 1 < ring.size(); ++i)
+      add_triangle(vertex, ring[i], ring[i + 1]);
+    const double to_near = (m_patch.points[near] - m_patch.points[vertex]).norm();
+    const double to_far = (m_patch.points[far] - m_patch.points[vertex]).norm();
+    const Eigen::RowVector2d side = m_uv.row(far) - m_uv.row(near);
+    double share = to_near > 0 ? to_near / (to_near + to_far) : 0.5;
+    for(int i = 0; i < MAXIMUM_HALVINGS; ++i, share /= 2) {
+      const Eigen::RowVector2d position = m_uv.row(near) + share * side;
+      if(std::isfinite(m_star.energy(position))) {
+        settle(vertex, position, {side.x() != 0, side.y() != 0});
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  void add_triangle(int vertex, int a, int b)
+  {
+    const Flat_triangle shape = shape_between(m_patch, vertex, a, b);
+    m_star.add(corner_shape(shape, 0), m_uv.row(a), m_uv.row(b));
+  }
+
+  void settle(int vertex, Eigen::RowVector2d position, const std::array<bool, 2>& is_free)
+  {
+    constexpr int STEPS = 8;
+    for(int i = 0; i < STEPS && m_star.improve(position, is_free); ++i) {
+    }
+    m_uv.row(vertex) = position;
+  }
+
+  const Patch& m_patch;
+  Vertex_star m_star;
+  Uv_coordinates& m_uv;
+};
+
+/// puts the vertices that a coarse patch left out back into its map, in the reverse order. That is always possible: the
+/// vertex that took the place of another saw the whole ring. A corner of the square that was left out gets its place back,
+/// and the vertex that stood there moves on.
 ///
 /// \param coarse_uv a map of \p coarse without flips
-/// \return a map of \p fine without flips; none when a kernel is lost in rounding
+/// \param border_uv #B by 2, of the fine patch: tells the corners, if the border is coarse
+/// \return a map of \p fine without flips; none when one is lost in rounding
 inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Coarse_patch& coarse,
-                                                     const Uv_coordinates& coarse_uv, double balance)
+                                                     const Uv_coordinates& coarse_uv, const Uv_coordinates& border_uv,
+                                                     double balance)
 {
-  constexpr int LOCAL_STEPS = 8;
   Uv_coordinates uv(fine.number_of_vertices(), 2);
   for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
     uv.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
-  Vertex_star star(balance);
-  std::vector<Eigen::RowVector2d> ring_uv;
-  for(auto removal = coarse.removals.rbegin(); removal != coarse.removals.rend(); ++removal) {
-    const std::vector<int>& ring = removal->ring;
-    ring_uv.clear();
-    star.clear(uv.row(ring[0]));
-    Eigen::RowVector2d position(0, 0);
-    for(std::size_t i = 0; i < ring.size(); ++i) {
-      const int a = ring[i], b = ring[(i + 1) % ring.size()];
-      ring_uv.push_back(uv.row(a));
-      position += uv.row(a) / ring.size();
-      const Flat_triangle shape = shape_between(fine, removal->vertex, a, b);
-      star.add(corner_shape(shape, 0), uv.row(a), uv.row(b));
+  const std::vector<bool> is_corner = find_removed_corners(fine, coarse, border_uv);
+  Vertex_insertion insertion(fine, balance, uv);
+  for(std::size_t i = coarse.removals.size(); i-- > 0;) {
+    const auto& [vertex, target, ring, target_ring] = coarse.removals[i];
+    const auto other_end = [](const std::vector<int>& fan, int end) { return fan[0] == end ? fan.back() : fan[0]; };
+    bool is_inserted = true;
+    if(target_ring.empty()) {
+      is_inserted = insertion.insert_inside(vertex, ring);
+    } else if(!is_corner[i]) {
+      is_inserted = insertion.insert_on_side(vertex, ring, target, other_end(ring, target));
+    } else {
+      uv.row(vertex) = uv.row(target);
+      is_inserted = insertion.insert_on_side(target, target_ring, vertex, other_end(target_ring, vertex));
     }
-    if(!std::isfinite(star.energy(position))) {
-      const std::optional<Eigen::RowVector2d> seeing = point_in_kernel(ring_uv);
-      if(!seeing || !std::isfinite(star.energy(*seeing)))
-        return {};
-      position = *seeing;
-    }
-    for(int i = 0; i < LOCAL_STEPS && star.improve(position, {true, true}); ++i) {
-    }
-    uv.row(removal->vertex) = position;
+    if(!is_inserted)
+      return {};
   }
   return uv;
 }

@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "closed_meshes.h"
 #include "mapped_patches.h"
 #include "search_curve.h"
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/square_search.h>
 
@@ -99,6 +101,24 @@ TEST_CASE("sketches of large patches tell their borders apart as their maps do")
           CHECK(sketched[i] < sketched[j]);
     const auto spread = std::minmax_element(energies.begin(), energies.end());
     CHECK(*spread.second > 1.02 * *spread.first); // there is something to tell apart
+  }
+}
+
+TEST_CASE("no sketch of a plate of many holes is lost on the way from coarse to fine")
+{
+  for(int period : {4, 5}) {
+    const Triangle_surface plate =
+        surface_of(voxels(82, 82, 1, [period](int x, int y, int) { return x % period < 2 || y % period < 2; }));
+    Thread_team team(1, 1);
+    const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
+    const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
+    REQUIRE(minimizer.has_sketches());
+    const auto sketch_for = minimizer.make_sketching_worker();
+    Stretch_curve energies;
+    for(const Uv_coordinates& border_uv : spread_borders(patch, 8))
+      energies.push_back(sketch_for(border_uv, nullptr).report.objective);
+    const auto spread = std::minmax_element(energies.begin(), energies.end());
+    CHECK(*spread.second < 1.5 * *spread.first);
   }
 }
 

@@ -79,7 +79,7 @@ public:
     if(warm_start != nullptr && m_warm_level < borders.size())
       uv = refine(m_warm_level, 0,
                   transport_map(m_minimizers[m_warm_level]->patch(), *warm_start, borders[m_warm_level]), borders,
-                  workspace, own_warm_start);
+                  HOPELESS, workspace, own_warm_start);
     if(uv.rows() == 0)
       uv = start(borders, 0, workspace, own_warm_start);
     if(uv.rows() == 0 && !m_coarse.empty()) { // some coarse triangle was lost in rounding
@@ -151,6 +151,8 @@ private:
   static constexpr int LARGEST_WARM_START = 1000; // vertices; above, to transport a map costs more than it saves
   static constexpr int LARGEST_SKETCH = 2000;     // vertices: enough to tell borders apart
   static constexpr int SMALLEST_SKETCHED = 8000;  // vertices
+
+  static constexpr double HOPELESS = 1e4; // energy: a map with a stretch of a hundred is hardly ever led out of it
 
   static constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
 
@@ -231,26 +233,31 @@ private:
     return borders;
   }
 
-  /// a map of the patch of level \p to, from the first start that works; without rows when none does
+  /// a map of the patch of level \p to, from the first start that works well, or else at all; without rows when none does
   Uv_coordinates start(const Borders& borders, std::size_t to, Workspace& workspace, Uv_coordinates& warm_start) const
   {
     Uv_coordinates uv;
-    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
-      const auto& [level, iteration] = m_starts[i];
-      uv = refine(level, to, iteration->minimize(borders[level], 1, workspace.starts[i]).uv, borders, workspace,
-                  warm_start);
-    }
+    for(const double largest_energy : {HOPELESS, std::numeric_limits<double>::infinity()})
+      for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
+        const auto& [level, iteration] = m_starts[i];
+        uv = refine(level, to, iteration->minimize(borders[level], 1, workspace.starts[i]).uv, borders, largest_energy,
+                    workspace, warm_start);
+      }
     return uv;
   }
 
   /// brings a map of the patch of one level to that of another, ready to be minimised; without rows when a triangle is
-  /// lost in rounding, or when \p uv has none
+  /// lost in rounding, when the energy on the way is above \p largest_energy, or when \p uv has none
   Uv_coordinates refine(std::size_t level, std::size_t to, Uv_coordinates uv, const Borders& borders,
-                        Workspace& workspace, Uv_coordinates& warm_start) const
+                        double largest_energy, Workspace& workspace, Uv_coordinates& warm_start) const
   {
     for(; level > to && uv.rows() > 0; --level) {
       m_minimizers[level]->relax(uv);
-      uv = m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]).uv;
+      Minimized_map map =
+          m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]);
+      if(map.report.objective > largest_energy)
+        return Uv_coordinates();
+      uv = std::move(map.uv);
       if(level == m_warm_level)
         warm_start = uv;
       auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, borders[level - 1],

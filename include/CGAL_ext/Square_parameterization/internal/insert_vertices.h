@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/Vertex_star.h>
 #include <CGAL_ext/Square_parameterization/internal/coarse_border.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -84,13 +85,15 @@ public:
   bool insert_on_side(int vertex, const std::vector<int>& ring, int near, int far)
   {
     constexpr int MAXIMUM_HALVINGS = 50;
+    constexpr double LEAST_SHARE = 0.1;
     m_star.clear(m_uv.row(near));
     for(std::size_t i = 0; i + 1 < ring.size(); ++i)
       add_triangle(vertex, ring[i], ring[i + 1]);
     const double to_near = (m_patch.points[near] - m_patch.points[vertex]).norm();
     const double to_far = (m_patch.points[far] - m_patch.points[vertex]).norm();
     const Eigen::RowVector2d side = m_uv.row(far) - m_uv.row(near);
-    double share = to_near > 0 ? to_near / (to_near + to_far) : 0.5;
+    // the neighbors may be copies of the same vertex, on the two sides of a seam
+    double share = to_near + to_far > 0 ? std::clamp(to_near / (to_near + to_far), LEAST_SHARE, 1 - LEAST_SHARE) : 0.5;
     for(int i = 0; i < MAXIMUM_HALVINGS; ++i, share /= 2) {
       const Eigen::RowVector2d position = m_uv.row(near) + share * side;
       if(std::isfinite(m_star.energy(position))) {

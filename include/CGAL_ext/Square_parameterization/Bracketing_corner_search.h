@@ -21,9 +21,9 @@ namespace CGAL_ext {
 /// about as many between the best of them and its neighbors, and so on. The candidate with the best sketch and the two on
 /// either side are then mapped, and it goes on downhill from the best.
 ///
-/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about
-/// 32 sketches for each factor of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples,
-/// as the balanced energy is on most meshes.
+/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor of
+/// 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the balanced
+/// energy is on most meshes.
 /// \cgalModels `CornerSearch`
 class Bracketing_corner_search
 {

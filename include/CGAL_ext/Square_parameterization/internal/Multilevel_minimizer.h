@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MULTILEVEL_MINIMIZER_H
 
 #include <CGAL_ext/Square_parameterization/internal/Balanced_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/Patch_coarsener.h>
+#include <CGAL_ext/Square_parameterization/internal/Patch_sequence.h>
 #include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/insert_vertices.h>
 #include <CGAL_ext/Square_parameterization/internal/transport_map.h>
@@ -28,9 +28,6 @@ namespace internal {
 /// tiny for floating-point numbers, and folded surfaces are not made coarse enough to avoid that. Then patches follow that
 /// do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a start.
 ///
-/// Where much of a patch is border, the border is made coarse, too; a border vertex that is put back slides from its
-/// neighbor into place.
-///
 /// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The patches do
 /// not depend on the places of the border vertices, and serve all maps.
 class Multilevel_minimizer
@@ -48,9 +45,9 @@ public:
   /// \param may_coarsen_border false for maps onto other borders than the unit square, too
   Multilevel_minimizer(const Patch& patch, Iteration_factory make_iteration, const Balanced_options& options,
                        bool may_coarsen_border = true)
-    : m_make_iteration(std::move(make_iteration)),
-      m_options(options),
-      m_may_coarsen_border(may_coarsen_border && options.is_border_sliding)
+    : m_patches(patch, may_coarsen_border && options.is_border_sliding),
+      m_make_iteration(std::move(make_iteration)),
+      m_options(options)
   {
     Balanced_options coarse_options = options;
     coarse_options.balance = (std::max)(options.balance, LEAST_COARSE_BALANCE);
@@ -59,8 +56,8 @@ public:
     m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options));
     // thin protrusions cannot be shortened without thinner triangles
     coarsen({0.7, 0.05}, coarse_options);
-    m_warm_level = finest_level(LARGEST_WARM_START);
-    m_sketch_level = finest_level(LARGEST_SKETCH);
+    m_warm_level = m_patches.finest_with(LARGEST_WARM_START);
+    m_sketch_level = m_patches.finest_with(LARGEST_SKETCH);
     coarsen({std::nullopt}, coarse_options);
   }
 
@@ -73,40 +70,36 @@ public:
   Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
                          const Uv_coordinates* warm_start = nullptr) const
   {
-    Uv_coordinates uv, own_warm_start;
+    Uv_coordinates uv;
+    Descent descent;
     prepare(workspace);
-    const Borders borders = coarse_borders(border_uv);
+    const Patch_sequence::Borders borders = m_patches.borders(border_uv);
     if(warm_start != nullptr && m_warm_level < borders.size())
-      uv = refine(m_warm_level, 0,
-                  transport_map(m_minimizers[m_warm_level]->patch(), *warm_start, borders[m_warm_level]), borders,
-                  HOPELESS, workspace, own_warm_start);
+      uv = refine(m_warm_level, 0, transport_map(m_patches[m_warm_level], *warm_start, borders[m_warm_level]), borders,
+                  workspace, descent);
     if(uv.rows() == 0)
-      uv = start(borders, 0, workspace, own_warm_start);
-    if(uv.rows() == 0 && !m_coarse.empty()) { // some coarse triangle was lost in rounding
+      uv = start(borders, 0, workspace, descent);
+    if(uv.rows() == 0 && m_patches.size() > 1) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
-      uv = m_make_iteration(m_minimizers[0]->patch()).minimize(border_uv, 1, iteration_workspace).uv;
+      uv = m_make_iteration(m_patches[0]).minimize(border_uv, 1, iteration_workspace).uv;
     }
     if(uv.rows() == 0)
       return Minimized_map();
     m_minimizers[0]->relax(uv);
     Minimized_map map =
         m_minimizers[0]->minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[0]);
-    map.warm_start = m_warm_level == 0 ? map.uv : std::move(own_warm_start);
+    map.warm_start = m_warm_level == 0 ? map.uv : std::move(descent.warm_start);
     return map;
   }
 
   /// indicates whether the coarse patches have the border of the patch
-  bool keeps_border() const
-  {
-    return m_minimizers.back()->patch().border.size() == m_minimizers[0]->patch().border.size();
-  }
+  bool keeps_border() const { return m_patches.keeps_border(); }
 
   /// indicates whether the patch is so large that sketches save time
   bool has_sketches() const
   {
-    return m_minimizers[0]->patch().number_of_vertices() >= SMALLEST_SKETCHED &&
-           4 * m_minimizers[m_sketch_level]->patch().number_of_vertices() <=
-               m_minimizers[0]->patch().number_of_vertices();
+    const int vertices = m_patches[0].number_of_vertices();
+    return vertices >= SMALLEST_SKETCHED && 4 * m_patches[m_sketch_level].number_of_vertices() <= vertices;
   }
 
   /// the least energy of one of the coarse patches for the border \p border_uv, by which borders can be compared: what the
@@ -114,9 +107,9 @@ public:
   /// \pre `has_sketches()`
   Minimized_map sketch(const Uv_coordinates& border_uv, Workspace& workspace) const
   {
-    Uv_coordinates ignored;
+    Descent descent;
     prepare(workspace);
-    Uv_coordinates uv = start(coarse_borders(border_uv), m_sketch_level, workspace, ignored);
+    Uv_coordinates uv = start(m_patches.borders(border_uv), m_sketch_level, workspace, descent);
     if(uv.rows() == 0)
       return Minimized_map();
     const Balanced_minimizer& minimizer = *m_minimizers[m_sketch_level];
@@ -137,10 +130,7 @@ public:
   }
 
   /// what is minimised, of a map
-  double energy(const Uv_coordinates& uv) const
-  {
-    return Balanced_energy(m_minimizers[0]->patch(), m_options.balance)(uv);
-  }
+  double energy(const Uv_coordinates& uv) const { return Balanced_energy(m_patches[0], m_options.balance)(uv); }
 
 private:
   // pure L2 stretch tears coarse maps open elsewhere than fine ones; a little balance keeps them alike
@@ -154,8 +144,6 @@ private:
 
   static constexpr double HOPELESS = 1e4; // energy: a map with a stretch of a hundred is hardly ever led out of it
 
-  static constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
-
   /// how a coarse patch is mapped
   struct Start
   {
@@ -163,54 +151,23 @@ private:
     std::unique_ptr<Stretch_iteration> iteration;
   };
 
-  typedef std::vector<Uv_coordinates> Borders; // of the patch and of each coarse one: #B by 2
-
-  /// shares of the shape that triangles may lose; the later are tried where the first allow too little
-  typedef std::initializer_list<std::optional<double>> Shapes_kept;
+  /// a way from coarse to fine
+  struct Descent
+  {
+    double largest_energy = HOPELESS;
+    bool is_given_up = false;  ///< an energy on the way was larger
+    Uv_coordinates warm_start; ///< the map of one of the patches on the way
+  };
 
   /// adds patches as long as they get coarser, and a start from the last of them
-  void coarsen(Shapes_kept shapes_kept, const Balanced_options& options)
+  void coarsen(Patch_sequence::Shapes_kept shapes_kept, const Balanced_options& options)
   {
-    while(const auto coarse = coarsened(m_minimizers.back()->patch(), shapes_kept)) {
-      m_coarse.push_back(coarse);
-      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(coarse->patch, options));
-    }
-    if(m_starts.empty() || m_starts.back().level < m_coarse.size())
-      m_starts.push_back(
-          {m_coarse.size(), std::make_unique<Stretch_iteration>(m_make_iteration(m_minimizers.back()->patch()))});
-  }
-
-  /// the next coarser patch, with half the interior vertices; none when the patch is small or cannot be made coarser.
-  /// A border that slides is made coarser, too, where it would soon be most of a large patch, and from then on.
-  std::shared_ptr<const Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept) const
-  {
-    constexpr double LEAST_REMOVED = 0.2, LARGEST_BORDER = 0.5; // shares of the interior
-    constexpr int LARGE = 2000;                                 // vertices
-    const int border = static_cast<int>(patch.border.size()), interior = patch.number_of_vertices() - border;
-    if(interior <= COARSEST)
-      return nullptr;
-    const bool is_small = patch.number_of_vertices() <= LARGE && keeps_border();
-    const bool keeps = !m_may_coarsen_border || is_small || border < LARGEST_BORDER * interior;
-    const int removable = keeps ? interior : interior + border;
-    for(const std::optional<double>& least_shape_kept : shapes_kept)
-      try {
-        Patch_coarsener coarsener(patch, least_shape_kept, keeps);
-        auto coarse = std::make_shared<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / 2));
-        if(coarse->removals.size() >= LEAST_REMOVED * removable)
-          return coarse;
-      } catch(const Unmappable&) {
-        // too degenerate to be a patch: the finer one does without
-      }
-    return nullptr;
-  }
-
-  /// the finest level with at most so many vertices; the coarsest when all have more
-  std::size_t finest_level(int vertices) const
-  {
-    std::size_t level = 0;
-    while(m_minimizers[level]->patch().number_of_vertices() > vertices && level + 1 < m_minimizers.size())
-      ++level;
-    return level;
+    m_patches.coarsen(shapes_kept);
+    while(m_minimizers.size() < m_patches.size())
+      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(m_patches[m_minimizers.size()], options));
+    const std::size_t coarsest = m_patches.size() - 1;
+    if(m_starts.empty() || m_starts.back().level < coarsest)
+      m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_make_iteration(m_patches[coarsest]))});
   }
 
   void prepare(Workspace& workspace) const
@@ -220,59 +177,58 @@ private:
     workspace.starts.resize(m_starts.size());
   }
 
-  /// the borders of the patches, as far as they have four corners
-  Borders coarse_borders(const Uv_coordinates& border_uv) const
+  /// a map of the patch of level \p to, from the first start that works well, or else at all; without rows when none does
+  Uv_coordinates start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
+                       Descent& descent) const
   {
-    Borders borders{border_uv};
-    for(const auto& coarse : m_coarse) {
-      auto border = coarse_border(m_minimizers[borders.size() - 1]->patch(), *coarse, borders.back());
-      if(!border)
-        break;
-      borders.push_back(std::move(*border));
+    Uv_coordinates uv = first_working_start(borders, to, workspace, descent);
+    if(uv.rows() == 0 && descent.is_given_up) {
+      descent.largest_energy = std::numeric_limits<double>::infinity();
+      uv = first_working_start(borders, to, workspace, descent);
     }
-    return borders;
+    return uv;
   }
 
-  /// a map of the patch of level \p to, from the first start that works well, or else at all; without rows when none does
-  Uv_coordinates start(const Borders& borders, std::size_t to, Workspace& workspace, Uv_coordinates& warm_start) const
+  Uv_coordinates first_working_start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
+                                     Descent& descent) const
   {
     Uv_coordinates uv;
-    for(const double largest_energy : {HOPELESS, std::numeric_limits<double>::infinity()})
-      for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
-        const auto& [level, iteration] = m_starts[i];
-        uv = refine(level, to, iteration->minimize(borders[level], 1, workspace.starts[i]).uv, borders, largest_energy,
-                    workspace, warm_start);
-      }
+    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
+      const auto& [level, iteration] = m_starts[i];
+      uv = refine(level, to, iteration->minimize(borders[level], 1, workspace.starts[i]).uv, borders, workspace,
+                  descent);
+    }
     return uv;
   }
 
   /// brings a map of the patch of one level to that of another, ready to be minimised; without rows when a triangle is
-  /// lost in rounding, when the energy on the way is above \p largest_energy, or when \p uv has none
-  Uv_coordinates refine(std::size_t level, std::size_t to, Uv_coordinates uv, const Borders& borders,
-                        double largest_energy, Workspace& workspace, Uv_coordinates& warm_start) const
+  /// lost in rounding, when the way is given up, or when \p uv has none
+  Uv_coordinates refine(std::size_t level, std::size_t to, Uv_coordinates uv, const Patch_sequence::Borders& borders,
+                        Workspace& workspace, Descent& descent) const
   {
     for(; level > to && uv.rows() > 0; --level) {
       m_minimizers[level]->relax(uv);
       Minimized_map map =
           m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]);
-      if(map.report.objective > largest_energy)
+      if(map.report.objective > descent.largest_energy) {
+        descent.is_given_up = true;
         return Uv_coordinates();
+      }
       uv = std::move(map.uv);
       if(level == m_warm_level)
-        warm_start = uv;
-      auto finer = insert_vertices(m_minimizers[level - 1]->patch(), *m_coarse[level - 1], uv, borders[level - 1],
-                                   m_coarse_balance);
+        descent.warm_start = uv;
+      auto finer =
+          insert_vertices(m_patches[level - 1], m_patches.coarse(level), uv, borders[level - 1], m_coarse_balance);
       uv = finer ? std::move(*finer) : Uv_coordinates();
     }
     return uv;
   }
 
-  std::vector<std::shared_ptr<const Coarse_patch>> m_coarse;     // ever coarser
-  std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of the patch, and of each coarse one
+  Patch_sequence m_patches;
+  std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
   std::vector<Start> m_starts; // from the coarsest that keeps its shape, and from the coarsest
   Iteration_factory m_make_iteration;
   Balanced_options m_options;
-  bool m_may_coarsen_border;
   double m_coarse_balance = 0;
   std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
   std::size_t m_sketch_level = 0; // of the patch whose maps are compared

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_COARSENER_H
 
 #include <CGAL_ext/Square_parameterization/internal/Coarse_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/is_good_replacement.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,8 @@ public:
   explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = 0.7, bool keeps_border = true)
     : m_fine(fine),
       m_least_shape_kept(least_shape_kept),
-      m_removable_border_vertices(keeps_border ? 0 : (std::max)(0, static_cast<int>(fine.border.size()) - LEAST_BORDER)),
+      m_removable_border_vertices(keeps_border ? 0
+                                               : (std::max)(0, static_cast<int>(fine.border.size()) - LEAST_BORDER)),
       m_triangles(fine.triangles),
       m_is_alive(fine.triangles.size(), true),
       m_star(fine.points.size()),
@@ -171,8 +173,7 @@ private:
   /// indicates whether a border vertex has chords, or only one triangle: the edge that would remain is a chord
   bool has_border_vertex_inside(const std::vector<int>& ring) const
   {
-    return ring.size() < 3 ||
-           std::any_of(ring.begin() + 1, ring.end() - 1, [this](int w) { return is_border(w); });
+    return ring.size() < 3 || std::any_of(ring.begin() + 1, ring.end() - 1, [this](int w) { return is_border(w); });
   }
 
   bool keeps_shape(int from, int to, const std::vector<int>& ring) const
@@ -180,27 +181,10 @@ private:
     const std::size_t n = ring.size();
     for(std::size_t i = is_border(from) ? 1 : 0; i < n; ++i) {
       const int a = ring[(i + n - 1) % n], b = ring[i];
-      if(a != to && b != to && !is_good_replacement(from, to, a, b))
+      if(a != to && b != to && !is_good_replacement(point(from), point(to), point(a), point(b), *m_least_shape_kept))
         return false;
     }
     return true;
-  }
-
-  /// indicates whether triangle `to, a, b` looks the same way as `from, a, b` and is not much thinner
-  bool is_good_replacement(int from, int to, int a, int b) const
-  {
-    constexpr double LEAST_COSINE = 0.5, LEAST_SHAPE = 0.15;
-    const auto normal = [&](int v) { return Eigen::Vector3d((point(a) - point(v)).cross(point(b) - point(v))); };
-    const auto shape = [&](int v, double twice_area) { // height over longest side
-      return twice_area / (std::max)({(point(a) - point(v)).squaredNorm(), (point(b) - point(v)).squaredNorm(),
-                                      (point(b) - point(a)).squaredNorm()});
-    };
-    const Eigen::Vector3d old_normal = normal(from), new_normal = normal(to);
-    const double old_size = old_normal.norm(), new_size = new_normal.norm();
-    if(!(new_normal.dot(old_normal) > LEAST_COSINE * new_size * old_size))
-      return false;
-    const double new_shape = shape(to, new_size);
-    return new_shape > LEAST_SHAPE || new_shape > *m_least_shape_kept * shape(from, old_size);
   }
 
   void perform(int from, int to)
@@ -255,7 +239,7 @@ private:
   std::vector<std::vector<int>> m_star; // per vertex, its triangles
   std::vector<int> m_next, m_previous;  // per border vertex, its neighbors on the border; else -1
   std::vector<bool> m_is_removed;
-  std::vector<bool> m_is_target; // of the removal of a border vertex: so that there is room to put that back
+  std::vector<bool> m_is_target;            // of the removal of a border vertex: so that there is room to put that back
   std::vector<std::pair<int, int>> m_sides; // memory of `find_ring()`
   std::vector<int> m_changes;               // per vertex, how often its neighborhood has changed
   std::priority_queue<Collapse, std::vector<Collapse>, std::greater<Collapse>> m_queue;

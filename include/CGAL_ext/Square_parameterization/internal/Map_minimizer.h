@@ -57,8 +57,8 @@ public:
   Map_minimizer(const Patch& patch, Iteration_factory make_start, const Balanced_options& options)
     : m_patch(patch),
       m_make_iteration(std::move(make_start)),
-      m_balanced_options(options),
-      m_balanced(std::make_unique<Multilevel_minimizer>(patch, m_make_iteration, options))
+      m_balanced(std::make_unique<Multilevel_minimizer>(patch, m_make_iteration, options)),
+      m_balanced_options(options)
   {}
 
   Worker make_worker() const
@@ -175,8 +175,8 @@ private:
   const Patch& m_patch;
   Iteration_factory m_make_iteration;
   std::shared_ptr<const Stretch_iteration> m_iteration;   // one of these two
-  Balanced_options m_balanced_options;                    //
   std::unique_ptr<const Multilevel_minimizer> m_balanced; //
+  Balanced_options m_balanced_options;
   mutable std::once_flag m_whole_border_made;
   mutable std::unique_ptr<const Multilevel_minimizer> m_whole_border; // made when needed
 };

@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/coarse_border.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -80,22 +81,23 @@ public:
     return true;
   }
 
-  /// puts a border vertex on the side of the square between \p near, which sees all of \p ring when the vertex is close
-  /// to it, and \p far: at its place by length, or nearer. Returns false when that is lost in rounding.
-  bool insert_on_side(int vertex, const std::vector<int>& ring, int near, int far)
+  /// puts a border vertex on the side of the square between \p from, which sees all of \p ring when the vertex is close
+  /// to it, and \p to: at its place by length, or nearer. Returns false when that is lost in rounding.
+  bool insert_on_side(int vertex, const std::vector<int>& ring, int from, int to)
   {
     constexpr int MAXIMUM_HALVINGS = 50;
     constexpr double LEAST_SHARE = 0.1;
-    m_star.clear(m_uv.row(near));
+    m_star.clear(m_uv.row(from));
     for(std::size_t i = 0; i + 1 < ring.size(); ++i)
       add_triangle(vertex, ring[i], ring[i + 1]);
-    const double to_near = (m_patch.points[near] - m_patch.points[vertex]).norm();
-    const double to_far = (m_patch.points[far] - m_patch.points[vertex]).norm();
-    const Eigen::RowVector2d side = m_uv.row(far) - m_uv.row(near);
+    const double length_from = (m_patch.points[from] - m_patch.points[vertex]).norm();
+    const double length_to = (m_patch.points[to] - m_patch.points[vertex]).norm();
+    const Eigen::RowVector2d side = m_uv.row(to) - m_uv.row(from);
     // the neighbors may be copies of the same vertex, on the two sides of a seam
-    double share = to_near + to_far > 0 ? std::clamp(to_near / (to_near + to_far), LEAST_SHARE, 1 - LEAST_SHARE) : 0.5;
+    const double length = length_from + length_to;
+    double share = length > 0 ? std::clamp(length_from / length, LEAST_SHARE, 1 - LEAST_SHARE) : 0.5;
     for(int i = 0; i < MAXIMUM_HALVINGS; ++i, share /= 2) {
-      const Eigen::RowVector2d position = m_uv.row(near) + share * side;
+      const Eigen::RowVector2d position = m_uv.row(from) + share * side;
       if(std::isfinite(m_star.energy(position))) {
         settle(vertex, position, {side.x() != 0, side.y() != 0});
         return true;

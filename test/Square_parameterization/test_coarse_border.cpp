@@ -179,6 +179,7 @@ TEST_CASE("where two corners fall into one vertex there is no coarse border, and
   REQUIRE(map.uv.rows() == fine.number_of_vertices());
   CHECK(number_of_flipped_faces(fine.triangles, map.uv) == 0);
   check_border(border_rows(fine, map.uv));
+  CHECK(map.warm_start.rows() == 0); // its coarse patches are not those of other maps
 }
 
 TEST_CASE("a flat square, half of whose vertices are border, is mapped onto itself")

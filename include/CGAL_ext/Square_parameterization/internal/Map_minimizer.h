@@ -154,7 +154,9 @@ private:
       m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_make_iteration, m_balanced_options, false);
     });
     Multilevel_minimizer::Workspace workspace;
-    return m_whole_border->minimize(border_uv, workspace);
+    Minimized_map map = m_whole_border->minimize(border_uv, workspace);
+    map.warm_start.resize(0, 2); // a map of a patch that is not among those of the others
+    return map;
   }
 
   /// the map, repaired where rounding has left triangles flat or flipped; without uv when that fails

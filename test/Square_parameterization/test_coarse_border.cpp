@@ -137,16 +137,16 @@ TEST_CASE("a vertex stands for each corner that a coarse border leaves out, and 
     int removed_corners = 0;
     for(int candidate : {0, 1, 2, 3, 50, 77}) {
       const Uv_coordinates border_uv = border_of(fine, candidate);
-      const auto is_corner = find_removed_corners(fine, coarse, border_uv);
-      removed_corners += static_cast<int>(std::count(is_corner.begin(), is_corner.end(), true));
-      const auto coarse_uv = coarse_border(fine, coarse, border_uv);
-      REQUIRE(coarse_uv);
-      REQUIRE(coarse_uv->rows() == static_cast<Eigen::Index>(coarse.patch.border.size()));
-      check_border(*coarse_uv);
+      const auto coarse_place = coarse_border(fine, coarse, border_uv);
+      REQUIRE(coarse_place);
+      const auto& [coarse_uv, removed] = *coarse_place;
+      removed_corners += static_cast<int>(removed.size());
+      REQUIRE(coarse_uv.rows() == static_cast<Eigen::Index>(coarse.patch.border.size()));
+      check_border(coarse_uv);
       Multilevel_minimizer::Workspace workspace;
-      const Uv_coordinates map = Multilevel_minimizer(coarse.patch, start_of, {}).minimize(*coarse_uv, workspace).uv;
+      const Uv_coordinates map = Multilevel_minimizer(coarse.patch, start_of, {}).minimize(coarse_uv, workspace).uv;
       REQUIRE(number_of_flipped_faces(coarse.patch.triangles, map) == 0);
-      const auto uv = insert_vertices(fine, coarse, map, border_uv, 0.3);
+      const auto uv = insert_vertices(fine, coarse, map, removed, 0.3);
       REQUIRE(uv);
       CHECK(number_of_flipped_faces(fine.triangles, *uv) == 0);
       const Uv_coordinates border = border_rows(fine, *uv);

@@ -70,7 +70,7 @@ TEST_CASE("vertices put back into any map without flips leave it without flips")
       const Uv_coordinates border = border_of(fine, candidate);
       const Uv_coordinates coarse_uv = start_of(coarse.patch).minimize(border, 1, workspace).uv;
       REQUIRE(number_of_flipped_faces(coarse.patch.triangles, coarse_uv) == 0);
-      const auto uv = insert_vertices(fine, coarse, coarse_uv, border, 0.3);
+      const auto uv = insert_vertices(fine, coarse, coarse_uv, {}, 0.3);
       REQUIRE(uv);
       CHECK(number_of_flipped_faces(fine.triangles, *uv) == 0);
       for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)

@@ -129,11 +129,7 @@ private:
   /// about \p count even samples of the unknown candidates between the best one and its nearest known neighbors
   static std::set<int> samples_around_best(const internal::Candidate_ring& ring, int count)
   {
-    int left = 1, right = 1; // distances
-    while(left < ring.size() && !ring.is_known(ring.at(ring.best() - left)))
-      ++left;
-    while(right < ring.size() && !ring.is_known(ring.at(ring.best() + right)))
-      ++right;
+    const int left = ring.distance_to_known(-1), right = ring.distance_to_known(1);
     const int step = (std::max)(1, (left + right - 2 + count - 1) / count);
     std::set<int> samples;
     for(int offset = step - left; offset < right; offset += step)

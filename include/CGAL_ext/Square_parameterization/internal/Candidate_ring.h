@@ -62,20 +62,28 @@ public:
     }
   }
 
+  /// how far the nearest known candidate is from the best one in direction 1 or -1; the size of the ring when there is no
+  /// other
+  int distance_to_known(int direction) const
+  {
+    int distance = 1;
+    while(distance < size() && !is_known(at(m_best + direction * distance)))
+      ++distance;
+    return distance;
+  }
+
   /// evaluates every unknown candidate between the best one and its nearest known neighbors on both sides: what the
   /// paper calls deep checking. When no known candidate has a map, evaluates all that are left.
   void evaluate_around_best()
   {
     const bool has_map = std::isfinite(stretch(m_best));
     std::set<int> unknown;
-    for(const int direction : {-1, 1})
-      for(int distance = 1; distance < size(); ++distance) {
-        const int candidate = at(m_best + direction * distance);
-        if(!is_known(candidate))
+    for(const int direction : {-1, 1}) {
+      const int end = has_map ? distance_to_known(direction) : size();
+      for(int distance = 1; distance < end; ++distance)
+        if(const int candidate = at(m_best + direction * distance); !is_known(candidate))
           unknown.insert(candidate);
-        else if(has_map)
-          break;
-      }
+    }
     evaluate({unknown.begin(), unknown.end()});
   }
 

@@ -75,8 +75,8 @@ public:
     prepare(workspace);
     const Patch_sequence::Borders borders = m_patches.borders(border_uv);
     if(warm_start != nullptr && m_warm_level < borders.size())
-      uv = refine(m_warm_level, 0, transport_map(m_patches[m_warm_level], *warm_start, borders[m_warm_level]), borders,
-                  workspace, descent);
+      uv = refine(m_warm_level, 0, transport_map(m_patches[m_warm_level], *warm_start, borders[m_warm_level].uv),
+                  borders, workspace, descent);
     if(uv.rows() == 0)
       uv = start(borders, 0, workspace, descent);
     if(uv.rows() == 0 && m_patches.size() > 1) { // some coarse triangle was lost in rounding
@@ -195,7 +195,7 @@ private:
     Uv_coordinates uv;
     for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
       const auto& [level, iteration] = m_starts[i];
-      uv = refine(level, to, iteration->minimize(borders[level], 1, workspace.starts[i]).uv, borders, workspace,
+      uv = refine(level, to, iteration->minimize(borders[level].uv, 1, workspace.starts[i]).uv, borders, workspace,
                   descent);
     }
     return uv;
@@ -217,8 +217,8 @@ private:
       uv = std::move(map.uv);
       if(level == m_warm_level)
         descent.warm_start = uv;
-      auto finer =
-          insert_vertices(m_patches[level - 1], m_patches.coarse(level), uv, borders[level - 1], m_coarse_balance);
+      auto finer = insert_vertices(m_patches[level - 1], m_patches.coarse(level), uv, borders[level].removed_corners,
+                                   m_coarse_balance);
       uv = finer ? std::move(*finer) : Uv_coordinates();
     }
     return uv;

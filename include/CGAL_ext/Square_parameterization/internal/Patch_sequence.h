@@ -26,7 +26,7 @@ public:
   /// shares of the shape that triangles may lose; the later are tried where the first allow too little
   typedef std::initializer_list<std::optional<double>> Shapes_kept;
 
-  typedef std::vector<Uv_coordinates> Borders; ///< per patch, #B by 2
+  typedef std::vector<Coarse_border> Borders; ///< per patch
 
   Patch_sequence(const Patch& patch, bool may_coarsen_border) : m_patch(patch), m_may_coarsen_border(may_coarsen_border)
   {}
@@ -61,9 +61,9 @@ public:
   /// the borders of the patches when that of the first is \p border_uv (#B by 2), as far as the four corners stay apart
   Borders borders(const Uv_coordinates& border_uv) const
   {
-    Borders result{border_uv};
+    Borders result{{border_uv, {}}};
     while(result.size() < size()) {
-      auto border = coarse_border((*this)[result.size() - 1], coarse(result.size()), result.back());
+      auto border = coarse_border((*this)[result.size() - 1], coarse(result.size()), result.back().uv);
       if(!border)
         break;
       result.push_back(std::move(*border));

@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_INSERT_VERTICES_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_INSERT_VERTICES_H
 
+#include <CGAL_ext/Square_parameterization/internal/Coarse_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/Vertex_star.h>
-#include <CGAL_ext/Square_parameterization/internal/coarse_border.h>
 
 #include <algorithm>
 #include <array>
@@ -131,16 +131,15 @@ private:
 /// and the vertex that stood there moves on.
 ///
 /// \param coarse_uv a map of \p coarse without flips
-/// \param border_uv #B by 2, of the fine patch: tells the corners, if the border is coarse
+/// \param removed_corners of the border of \p coarse: places in its removals, ascending
 /// \return a map of \p fine without flips; none when one is lost in rounding
 inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Coarse_patch& coarse,
-                                                     const Uv_coordinates& coarse_uv, const Uv_coordinates& border_uv,
-                                                     double balance)
+                                                     const Uv_coordinates& coarse_uv,
+                                                     const std::vector<std::size_t>& removed_corners, double balance)
 {
   Uv_coordinates uv(fine.number_of_vertices(), 2);
   for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
     uv.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
-  const std::vector<bool> is_corner = find_removed_corners(fine, coarse, border_uv);
   Vertex_insertion insertion(fine, balance, uv);
   for(std::size_t i = coarse.removals.size(); i-- > 0;) {
     const auto& [vertex, target, ring, target_ring] = coarse.removals[i];
@@ -148,7 +147,7 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
     bool is_inserted = true;
     if(target_ring.empty()) {
       is_inserted = insertion.insert_inside(vertex, ring);
-    } else if(!is_corner[i]) {
+    } else if(!std::binary_search(removed_corners.begin(), removed_corners.end(), i)) {
       is_inserted = insertion.insert_on_side(vertex, ring, target, other_end(ring, target));
     } else {
       uv.row(vertex) = uv.row(target);

@@ -109,6 +109,36 @@ TEST_CASE("the preconditioner inverts the blocks of the Hessian, with unit rows 
   }
 }
 
+TEST_CASE("two matrices are factored at once as each by itself")
+{
+  const int n = 40;
+  std::array<Eigen::MatrixXd, 2> dense;
+  for(unsigned int axis = 0; axis < 2; ++axis) {
+    const Uv_coordinates random = random_coordinates(n * n, 5 + axis);
+    dense[axis] = Eigen::MatrixXd::Identity(n, n) * n;
+    for(int i = 0; i < n; ++i)
+      for(int j = i % 7 + 1; j <= i; j += 7)
+        dense[axis](i, j) = dense[axis](j, i) += random(n * i + j, 0);
+  }
+  Eigen::SparseMatrix<Number_per_axis> both(n, n);
+  Eigen::Matrix<Number_per_axis, Eigen::Dynamic, 1> right_hand_side(n);
+  for(int j = 0; j < n; ++j) {
+    right_hand_side[j] = {1. + j, 2. - j};
+    for(int i = 0; i <= j; ++i)
+      if(dense[0](i, j) != 0)
+        both.insert(i, j) = {dense[0](i, j), dense[1](i, j)};
+  }
+  const Eigen::Matrix<Number_per_axis, Eigen::Dynamic, 1> solution =
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number_per_axis>, Eigen::Upper>(both).solve(right_hand_side);
+  for(int axis = 0; axis < 2; ++axis) {
+    const auto of_axis = [axis](const Number_per_axis& x) { return x[axis]; };
+    const Eigen::VectorXd b = right_hand_side.unaryExpr(of_axis), x = solution.unaryExpr(of_axis);
+    const Eigen::SparseMatrix<double> sparse = dense[axis].sparseView();
+    CHECK(x == Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper>(sparse).solve(b));
+    CHECK((dense[axis] * x - b).norm() < 1e-12 * b.norm());
+  }
+}
+
 TEST_CASE("the secant memory maps the last change of the gradient to the last step, and keeps to its capacity")
 {
   // gradients of a quadratic with the diagonal Hessian D

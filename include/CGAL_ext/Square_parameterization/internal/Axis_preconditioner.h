@@ -5,9 +5,11 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_AXIS_PRECONDITIONER_H
 
 #include <CGAL_ext/Square_parameterization/internal/Balanced_energy.h>
+#include <CGAL_ext/Square_parameterization/internal/Number_per_axis.h>
 #include <CGAL_ext/Square_parameterization/internal/feasible_step.h>
 #include <CGAL_ext/Square_parameterization/internal/sparse_pattern.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -15,7 +17,7 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the Hessian of the balanced energy without its mixed derivatives by an u and a v: two matrices with one unknown per
-/// vertex each, which are factored several times as fast as one with two.
+/// vertex each, which are factored several times as fast as one with two; and both at once.
 ///
 /// Coordinates that may not move have a unit row, so that one sparsity pattern and one symbolic analysis serve every
 /// border.
@@ -25,10 +27,12 @@ public:
   /// the memory of one thread
   struct Factors
   {
-    Sparse_matrix matrix;
-    std::array<Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>, 2> of_axis;
-    Eigen::VectorXd right_hand_side, solution;
-    bool is_analyzed = false;
+    typedef Eigen::SparseMatrix<Number_per_axis> Matrix;
+    typedef Eigen::Matrix<Number_per_axis, Eigen::Dynamic, 1> Vector;
+
+    Matrix matrix;
+    Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> of_axes;
+    Vector right_hand_side, solution;
   };
 
   explicit Axis_preconditioner(const Patch& patch)
@@ -57,8 +61,35 @@ public:
   bool factorize(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
                  Factors& factors) const
   {
-    std::array<std::vector<double>, 2> values{std::vector<double>(m_pattern.nonZeros(), 0.),
-                                              std::vector<double>(m_pattern.nonZeros(), 0.)};
+    if(factors.matrix.nonZeros() == 0) {
+      factors.matrix = m_pattern.cast<Number_per_axis>();
+      factors.of_axes.analyzePattern(factors.matrix);
+    }
+    set_entries(energy, uv, is_free, factors.matrix);
+    factors.of_axes.factorize(factors.matrix);
+    const auto diagonal = factors.of_axes.vectorD();
+    const auto is_singular = [](const Number_per_axis& d) { return d[0] == 0 || d[1] == 0; };
+    return std::none_of(diagonal.begin(), diagonal.end(), is_singular);
+  }
+
+  /// replaces \p x, which is zero where coordinates may not move, by the solution of both systems
+  void apply(Factors& factors, Uv_coordinates& x) const
+  {
+    factors.right_hand_side.resize(x.rows());
+    for(int v = 0; v < x.rows(); ++v)
+      factors.right_hand_side[m_rank[v]] = {x(v, 0), x(v, 1)};
+    factors.solution = factors.of_axes.solve(factors.right_hand_side);
+    for(int v = 0; v < x.rows(); ++v)
+      for(int axis = 0; axis < 2; ++axis)
+        x(v, axis) = factors.solution[m_rank[v]][axis];
+  }
+
+private:
+  void set_entries(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
+                   Factors::Matrix& matrix) const
+  {
+    Number_per_axis* const values = matrix.valuePtr();
+    std::fill_n(values, matrix.nonZeros(), Number_per_axis());
     for(int f = 0; f < m_patch.number_of_faces(); ++f) {
       const Balanced_energy::Hessian_blocks blocks = energy.hessian_blocks(f, uv);
       const auto& t = m_patch.triangles[f];
@@ -67,42 +98,17 @@ public:
           const int next = (k + 1) % 3;
           if(!is_free(t[k], axis))
             continue;
-          values[axis][m_slots[f][k]] += blocks.of_axis[axis](k, k);
+          values[m_slots[f][k]][axis] += blocks.of_axis[axis](k, k);
           if(is_free(t[next], axis))
-            values[axis][m_slots[f][3 + k]] += blocks.of_axis[axis](k, next);
+            values[m_slots[f][3 + k]][axis] += blocks.of_axis[axis](k, next);
         }
     }
-    if(factors.matrix.nonZeros() == 0)
-      factors.matrix = m_pattern;
-    for(int axis = 0; axis < 2; ++axis) {
-      std::copy(values[axis].begin(), values[axis].end(), factors.matrix.valuePtr());
-      for(int v = 0; v < m_patch.number_of_vertices(); ++v)
+    for(int v = 0; v < m_patch.number_of_vertices(); ++v)
+      for(int axis = 0; axis < 2; ++axis)
         if(!is_free(v, axis))
-          factors.matrix.valuePtr()[slot_of(m_pattern, m_rank[v], m_rank[v])] = 1;
-      if(!factors.is_analyzed)
-        factors.of_axis[axis].analyzePattern(factors.matrix);
-      factors.of_axis[axis].factorize(factors.matrix);
-      if(factors.of_axis[axis].info() != Eigen::Success)
-        return false;
-    }
-    factors.is_analyzed = true;
-    return true;
+          values[slot_of(m_pattern, m_rank[v], m_rank[v])][axis] = 1;
   }
 
-  /// replaces \p x, which is zero where coordinates may not move, by the solution of both systems
-  void apply(Factors& factors, Uv_coordinates& x) const
-  {
-    factors.right_hand_side.resize(x.rows());
-    for(int axis = 0; axis < 2; ++axis) {
-      for(int v = 0; v < x.rows(); ++v)
-        factors.right_hand_side[m_rank[v]] = x(v, axis);
-      factors.solution = factors.of_axis[axis].solve(factors.right_hand_side);
-      for(int v = 0; v < x.rows(); ++v)
-        x(v, axis) = factors.solution[m_rank[v]];
-    }
-  }
-
-private:
   const Patch& m_patch;
   std::vector<int> m_rank; // #V: place in the elimination order
   Sparse_matrix m_pattern; // upper triangle

@@ -480,6 +480,25 @@ Soup ring(int length, bool is_twisted)
 
 } // namespace
 
+TEST_CASE("a disk is cut on demand alone")
+{
+  const Temporary_folder folder;
+  const std::string input =
+      folder.add("in.off", off({{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -5}},
+                                {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}}));
+  const auto map = [&](const Arguments& options) {
+    const Finished_process result =
+        square_map(Arguments{input, "-o", folder / "map.obj", "--json", "-", "--quiet"} + options);
+    REQUIRE(result.status == DONE);
+    return nlohmann::json::parse(result.out);
+  };
+  const auto whole = map({}), cut = map({"--cut-disk"});
+  CHECK(whole["conditioned"]["seam_edges"] == 0);
+  CHECK(cut["conditioned"]["seam_edges"] > 0);
+  CHECK(cut["best"]["l2"] < whole["best"]["l2"]);
+  CHECK(square_map({input, "--cut-disk", "--cut", "shortest"}).status == BAD_COMMAND_LINE);
+}
+
 TEST_CASE("a closed surface is cut: its vertices stay, seams part the texture alone")
 {
   const Soup octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},

@@ -323,6 +323,20 @@ TEST_CASE("chords are split, and the disk stays one")
   }
 }
 
+TEST_CASE("a border of three edges gets a fourth, where it is longest")
+{
+  const Triangle_surface surface = surface_of(without_triangles(ellipsoid(1), {3}));
+  REQUIRE(surface.border_loops.front().size() == 3);
+  const Triangle_surface split = lengthen_surface_border(surface);
+  check_disk(split.triangles, split.number_of_vertices());
+  REQUIRE(split.border_loops.front().size() == 4);
+  CHECK(split.area == Approx(surface.area));
+  CHECK(lengthen_surface_border(split).triangles == split.triangles);
+
+  const Triangle_surface triangle = surface_of({{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
+  CHECK(lengthen_surface_border(triangle).points.back() == Eigen::Vector3d(2, 1.5, 0));
+}
+
 TEST_CASE("a hundred handles are cut in a moment")
 {
   const Triangle_surface surface = surface_of(plate_with_handles(10, 10));

@@ -120,6 +120,51 @@ TEST_CASE("no cut is extended beyond the greatest length")
   CHECK(decide(surface, options).report.cut_length <= options.max_cut_length);
 }
 
+TEST_CASE("a sphere with a small hole is cut where that is asked for, as well as by any one path from the hole")
+{
+  const Triangle_surface surface = surface_of(without_triangles(ellipsoid(2), {7}));
+  REQUIRE(surface.is_disk());
+  const auto score_of = [&](const Cut& cut) {
+    return searched_stretch(surface, cut, 0.3) + 0.05 * cut.length(surface) / std::sqrt(surface.area);
+  };
+  const double whole = score_of(Cut(surface));
+  double best = whole;
+  for(int v = 0; v < surface.number_of_vertices(); v += 3) {
+    if(surface.is_border_vertex[v])
+      continue;
+    Cut path(surface);
+    extend_cut(surface, v, path);
+    best = (std::min)(best, score_of(path));
+  }
+  REQUIRE(best < whole - 0.1);
+
+  Cut_options options;
+  options.cuts_disk = true;
+  const Decision decision = decide(surface, options);
+  CHECK(opened_surface(surface, decision.cut).is_disk());
+  CHECK(score_of(decision.cut) <= 1.005 * best);
+  Cut_options bounded = options, costly = options, without = options, short_one = options;
+  bounded.max_cut_length = 0.5 * decision.report.cut_length;
+  CHECK(decide(surface, bounded).report.cut_length <= bounded.max_cut_length);
+  costly.cut_weight = 100;
+  without.mode = Cut_mode::NONE;
+  short_one.mode = Cut_mode::SHORTEST;
+  for(const Cut_options& hindering : {costly, without, short_one})
+    CHECK(decide(surface, hindering).cut.edges().empty());
+}
+
+TEST_CASE("a disk stays whole when no cut pays")
+{
+  Cut_options options;
+  options.cuts_disk = true;
+  const Flat_mesh half = hemisphere();
+  for(const Closed_mesh& mesh : {plane(12, 1), Closed_mesh{half.points, half.triangles}}) {
+    const Decision decision = decide(surface_of(mesh), options);
+    CHECK(decision.cut.edges().empty());
+    CHECK(decision.report.cut_length == 0);
+  }
+}
+
 TEST_CASE("the decision is the same for any number of threads")
 {
   for(const Closed_mesh& mesh : {with_holes(torus(20, 12), 2, 9), ellipsoid(4, 3)}) {

@@ -272,6 +272,26 @@ TEST_CASE("a closed mesh is cut, split and mapped in one call")
   CHECK(map_onto_square(cut, options).uv == uv);
 }
 
+TEST_CASE("a disk is cut in one call as step by step, if that is asked for")
+{
+  const Surface_mesh before = make_mesh<Surface_mesh>(without_triangles(ellipsoid(2), {7}));
+  Surface_mesh whole = before, mesh = before;
+  Square_map_options options;
+  const double whole_l2 = map_onto_square(whole, options).result.measures.l2;
+  options.cut.cuts_disk = true;
+  const auto [result, uv] = map_onto_square(mesh, options);
+  REQUIRE(result.status == SMP::OK);
+  CHECK(result.copies.size() >= 1);
+  CHECK(result.border_edges == count_border_edges(before) + 2 * result.cut.seam_edges + result.border_edges_split);
+  CHECK(result.measures.flipped_faces == 0);
+  CHECK(result.measures.l2 + 0.05 * result.cut.cut_length < whole_l2);
+
+  Seams<Surface_mesh> seams;
+  REQUIRE(mark_seams(before, seams.edge_map(), seams.vertex_map(), parameters::options(options.cut)).status == SMP::OK);
+  Surface_mesh cut = cut_along_seams(before, seams.edge_map());
+  CHECK(map_onto_square(cut, Square_map_options()).uv == uv);
+}
+
 TEST_CASE("a closed mesh is cut along given seams, or refused")
 {
   Surface_mesh mesh = make_mesh<Surface_mesh>(ellipsoid(1));

@@ -20,7 +20,7 @@ enum class Cut_mode
 
 /// \ingroup PkgSquareParameterizationConditioning
 ///
-/// how a surface that is not a disk is cut. A disk is never cut.
+/// how a surface is cut to a disk
 struct Cut_options
 {
   Cut_mode mode = Cut_mode::BEST;
@@ -35,7 +35,14 @@ struct Cut_options
   /// `BEST`: balance of the energy by which cuts are judged: see `Balanced_minimization`
   double balance = 0.3;
 
+  /// `BEST`: whether a disk is cut, too, where that saves more stretch than it costs, as it does on a closed surface with
+  /// a small hole. The border of the square is then not the border of the disk alone.
+  bool cuts_disk = false;
+
   unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
+
+  /// indicates whether a disk is cut without seams that are given
+  bool may_cut_disk() const { return cuts_disk && mode == Cut_mode::BEST; }
 
   /// indicates whether all numbers are in their range
   bool is_valid() const { return cut_weight >= 0 && max_cut_length >= 0 && balance >= 0 && balance <= 1; }

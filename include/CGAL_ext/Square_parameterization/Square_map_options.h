@@ -31,7 +31,7 @@ struct Square_map_options
   Stretch_minimization minimization;    ///< the iteration; `Hybrid_corner_search` suits it
   Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
   Chords chords = Chords::ALL;          ///< which chords are split
-  /// how a surface that is not a disk is cut; its balance is that of `balanced`, where there is one, and its number of
+  /// how the surface is cut to a disk; its balance is that of `balanced`, where there is one, and its number of
   /// threads that of `search_options`
   Cut_options cut;
 

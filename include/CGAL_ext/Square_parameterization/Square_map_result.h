@@ -30,7 +30,7 @@ struct Square_map_result
   /// `OK`, or why there is no map
   CGAL::Surface_mesh_parameterization::Error_code status = CGAL::Surface_mesh_parameterization::OK;
   std::string message; ///< one sentence that names the condition and the place; empty on `OK`
-  Cut_report cut;      ///< nothing in it for a disk
+  Cut_report cut;      ///< without seams for a disk that stays whole
   /// the vertices that the cut added, each with the vertex that it is a copy of
   std::vector<std::pair<vertex_descriptor, vertex_descriptor>> copies;
   std::size_t border_edges_split = 0;     ///< one when the border had three edges: a square needs four

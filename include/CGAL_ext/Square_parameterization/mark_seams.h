@@ -47,7 +47,7 @@ inline CGAL::Named_function_parameters<Cut_options, internal::options_t> options
 ///
 /// marks the edges along which a closed or holed surface, of any genus and with any number of borders, is cut to a disk
 /// that stretches little on the square. Afterwards exactly the seams are marked, ready for `CGAL::Seam_mesh`. Seams end
-/// at the border or at other seams; a disk needs none.
+/// at the border or at other seams; a disk needs none, and gets some only on demand (`Cut_options::cuts_disk`).
 ///
 /// Edges that are marked before stay seams, and what they lack is added; then nothing is decided by stretch.
 ///

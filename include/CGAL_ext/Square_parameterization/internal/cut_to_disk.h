@@ -69,7 +69,7 @@ inline Cut complete_seams(const Triangle_surface& surface, const std::vector<std
 }
 
 /// decides how the surface is cut to a disk: along the given seams and what they lack, or by the mode of the options.
-/// A disk is not cut, except along given seams. Deterministic.
+/// A disk is not cut, except along given seams, or where the options ask for it and it pays. Deterministic.
 ///
 /// Throws `Unmappable` when nothing is to be cut and the surface is no disk, and for seams that make no sense.
 inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
@@ -80,7 +80,7 @@ inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::a
   Cut cut(surface);
   if(!seams.empty())
     cut = complete_seams(surface, seams);
-  else if(surface.is_disk())
+  else if(surface.is_disk() && !options.may_cut_disk())
     return cut;
   else if(options.mode == Cut_mode::NONE)
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,

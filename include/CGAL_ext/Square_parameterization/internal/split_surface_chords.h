@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/Triangle_surface.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,16 +29,13 @@ inline void split_triangle(const std::array<int, 3>& t, const std::array<int, 3>
   parts.push_back(t);
 }
 
-/// splits every interior edge between two border vertices at its midpoint: see `split_chords()`, which does the same to
-/// a mesh
-inline Triangle_surface split_surface_chords(const Triangle_surface& surface)
+/// splits edges at their midpoints
+inline Triangle_surface split_surface_edges(const Triangle_surface& surface, const std::vector<int>& edges)
 {
   std::vector<int> midpoints(surface.edges.size(), -1);
   std::vector<Eigen::Vector3d> points = surface.points;
-  for(int e = 0; e < surface.number_of_edges(); ++e) {
+  for(int e : edges) {
     const auto& [a, b] = surface.edges[e];
-    if(surface.is_border_edge(e) || !surface.is_border_vertex[a] || !surface.is_border_vertex[b])
-      continue;
     midpoints[e] = static_cast<int>(points.size());
     points.push_back(surface.points[a] / 2 + surface.points[b] / 2);
   }
@@ -47,6 +45,32 @@ inline Triangle_surface split_surface_chords(const Triangle_surface& surface)
     split_triangle(surface.triangles[f], {middle_of(1), middle_of(2), middle_of(0)}, triangles);
   }
   return make_triangle_surface(std::move(points), std::move(triangles));
+}
+
+/// splits every interior edge between two border vertices at its midpoint: see `split_chords()`, which does the same to
+/// a mesh
+inline Triangle_surface split_surface_chords(const Triangle_surface& surface)
+{
+  std::vector<int> chords;
+  for(int e = 0; e < surface.number_of_edges(); ++e) {
+    const auto& [a, b] = surface.edges[e];
+    if(!surface.is_border_edge(e) && surface.is_border_vertex[a] && surface.is_border_vertex[b])
+      chords.push_back(e);
+  }
+  return split_surface_edges(surface, chords);
+}
+
+/// gives a border of three edges a fourth: see `lengthen_border()`, which does the same to a mesh
+inline Triangle_surface lengthen_surface_border(Triangle_surface surface)
+{
+  if(surface.border_loops.empty() || surface.border_loops.front().size() != 3)
+    return surface;
+  std::vector<int> border;
+  for(int e = 0; e < surface.number_of_edges(); ++e)
+    if(surface.is_border_edge(e))
+      border.push_back(e);
+  const auto is_shorter = [&](int e, int f) { return surface.lengths[e] < surface.lengths[f]; };
+  return split_surface_edges(surface, {*std::max_element(border.begin(), border.end(), is_shorter)});
 }
 
 } // namespace internal

@@ -67,7 +67,7 @@ public:
     }
     set_entries(energy, uv, is_free, factors.matrix);
     factors.of_axes.factorize(factors.matrix);
-    const auto diagonal = factors.of_axes.vectorD();
+    const auto diagonal = factors.of_axes.vectorD(); // Eigen itself stops where both pivots are zero
     const auto is_singular = [](const Number_per_axis& d) { return d[0] == 0 || d[1] == 0; };
     return std::none_of(diagonal.begin(), diagonal.end(), is_singular);
   }

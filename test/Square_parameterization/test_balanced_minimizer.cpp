@@ -134,8 +134,21 @@ TEST_CASE("two matrices are factored at once as each by itself")
     const auto of_axis = [axis](const Number_per_axis& x) { return x[axis]; };
     const Eigen::VectorXd b = right_hand_side.unaryExpr(of_axis), x = solution.unaryExpr(of_axis);
     const Eigen::SparseMatrix<double> sparse = dense[axis].sparseView();
-    CHECK(x == Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper>(sparse).solve(b));
+    CHECK(x.isApprox(Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper>(sparse).solve(b), 1e-14));
     CHECK((dense[axis] * x - b).norm() < 1e-12 * b.norm());
+  }
+}
+
+TEST_CASE("factors are singular when those of one axis are")
+{
+  const Number_per_axis one(1), zero_u(0, 1), zero_v(1, 0), zero(0);
+  for(const Number_per_axis& pivot : {one, zero_u, zero_v, zero}) {
+    Axis_preconditioner::Factors factors;
+    factors.matrix.resize(2, 2);
+    factors.matrix.insert(0, 0) = one;
+    factors.matrix.insert(1, 1) = pivot;
+    factors.of_axes.compute(factors.matrix);
+    CHECK(factors.is_singular() == (pivot != one));
   }
 }
 

@@ -497,6 +497,7 @@ TEST_CASE("a disk is cut on demand alone")
   CHECK(cut["conditioned"]["seam_edges"] > 0);
   CHECK(cut["best"]["l2"] < whole["best"]["l2"]);
   CHECK(square_map({input, "--cut-disk", "--cut", "shortest"}).status == BAD_COMMAND_LINE);
+  CHECK(square_map({input, "--cut-disk", "--seams", folder.add("seams.txt", "0 4\n")}).status == BAD_COMMAND_LINE);
 }
 
 TEST_CASE("a closed surface is cut: its vertices stay, seams part the texture alone")

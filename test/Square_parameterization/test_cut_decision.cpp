@@ -144,8 +144,10 @@ TEST_CASE("a sphere with a small hole is cut where that is asked for, as well as
   CHECK(opened_surface(surface, decision.cut).is_disk());
   CHECK(score_of(decision.cut) <= 1.005 * best);
   Cut_options bounded = options, costly = options, without = options, short_one = options;
-  bounded.max_cut_length = 0.5 * decision.report.cut_length;
-  CHECK(decide(surface, bounded).report.cut_length <= bounded.max_cut_length);
+  bounded.max_cut_length = 0.8 * decision.report.cut_length;
+  const Decision shorter = decide(surface, bounded);
+  CHECK(shorter.report.cut_length <= bounded.max_cut_length);
+  CHECK(score_of(shorter.cut) < whole);
   costly.cut_weight = 100;
   without.mode = Cut_mode::NONE;
   short_one.mode = Cut_mode::SHORTEST;
@@ -153,16 +155,24 @@ TEST_CASE("a sphere with a small hole is cut where that is asked for, as well as
     CHECK(decide(surface, hindering).cut.edges().empty());
 }
 
-TEST_CASE("a disk stays whole when no cut pays")
+TEST_CASE("a disk stays whole when no cut pays, and otherwise the cut is lifted from a simple copy")
 {
   Cut_options options;
   options.cuts_disk = true;
   const Flat_mesh half = hemisphere();
-  for(const Closed_mesh& mesh : {plane(12, 1), Closed_mesh{half.points, half.triangles}}) {
-    const Decision decision = decide(surface_of(mesh), options);
+  for(const Closed_mesh& mesh : {plane(12, 1), plane(60, 1), Closed_mesh{half.points, half.triangles}}) {
+    const Triangle_surface surface = surface_of(mesh);
+    const Decision decision = decide(surface, options);
     CHECK(decision.cut.edges().empty());
     CHECK(decision.report.cut_length == 0);
+    CHECK(decision.report.score == Approx(searched_stretch(surface, decision.cut, 0.3)).epsilon(0.01));
   }
+  const Triangle_surface surface = surface_of(without_triangles(ellipsoid(5), {7}));
+  const Decision decision = decide(surface, options);
+  CHECK(decision.report.decision_faces < surface.triangles.size());
+  CHECK(opened_surface(surface, decision.cut).is_disk());
+  CHECK(searched_stretch(surface, decision.cut, 0.3) + 0.05 * decision.report.cut_length <
+        searched_stretch(surface, Cut(surface), 0.3) - 0.1);
 }
 
 TEST_CASE("the decision is the same for any number of threads")

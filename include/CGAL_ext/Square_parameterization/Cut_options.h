@@ -35,13 +35,15 @@ struct Cut_options
   /// `BEST`: balance of the energy by which cuts are judged: see `Balanced_minimization`
   double balance = 0.3;
 
-  /// `BEST`: whether a disk is cut, too, where that saves more stretch than it costs, as it does on a closed surface with
-  /// a small hole. The border of the square is then not the border of the disk alone.
+  /// `BEST`: whether a disk is cut, too, where the L2 stretch falls by more than the weighted length of the cut, as it does
+  /// on a closed surface with a small hole. Both sides of the cut then lie on the border of the square, too. Cuts are judged
+  /// by the least balanced energy with a sliding border and searched corners, whatever map is made afterwards. Without
+  /// meaning where seams are given.
   bool cuts_disk = false;
 
   unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
 
-  /// indicates whether a disk is cut without seams that are given
+  /// indicates whether a disk may be cut where no seams are given
   bool may_cut_disk() const { return cuts_disk && mode == Cut_mode::BEST; }
 
   /// indicates whether all numbers are in their range

@@ -73,7 +73,7 @@ private:
     using CGAL_ext::Cut_mode;
     using CGAL_ext::internal::Topology;
     options.cut.mode = byte % 4 == 0 ? Cut_mode::BEST : byte % 4 == 3 ? Cut_mode::NONE : Cut_mode::SHORTEST;
-    options.cut.cuts_disk = byte / 4 % 4 == 2;
+    options.cut.cuts_disk = byte / 4 % 4 >= 2;
     has_seams = byte / 4 % 4 == 3;
     if(byte / 16 % 4 == 3)
       options.cut.max_cut_length = 0.5;

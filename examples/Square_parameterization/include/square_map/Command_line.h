@@ -186,7 +186,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   add("max-cut-length", po::value(&line.options.cut.max_cut_length)->value_name("X"),
       "best: length, in units of sqrt(area), beyond which a cut is not extended");
   add("cut-disk", po::bool_switch(&line.options.cut.cuts_disk),
-      "best: cut a disk, too, where that pays: for a closed surface with a small hole");
+      "best: cut a disk, too, where L2 falls by more than --cut-weight times the length of the cut");
   add("seams", po::value(&line.seams)->value_name("FILE"),
       "edges to cut along, two vertex numbers a line, counted from 0; what they lack is added");
   add("weights", po::value(&weights_name)->value_name("NAME"),
@@ -281,8 +281,8 @@ inline Command_line parse_command_line(int argc, char** argv)
     line.conditioning_options.topology = CGAL_ext::internal::Topology::CONNECTED;
   if(!line.options.cut.is_valid())
     throw Usage_error("--cut-weight and --max-cut-length must not be negative");
-  if(line.options.cut.cuts_disk && !line.options.cut.may_cut_disk())
-    throw Usage_error("--cut-disk goes with --cut best");
+  if(line.options.cut.cuts_disk && (!line.options.cut.may_cut_disk() || !line.seams.empty()))
+    throw Usage_error("--cut-disk goes with --cut best, and without --seams");
   options.search = named(strategies(tuning), "strategy", line.strategy);
   if(is_given("weights"))
     options.minimization.weights = named(weights(), "weights", weights_name);

@@ -17,14 +17,14 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the Hessian of the balanced energy without its mixed derivatives by an u and a v: two matrices with one unknown per
-/// vertex each, which are factored several times as fast as one with two; and both at once.
+/// vertex each, factored at once, and several times as fast as one with two.
 ///
 /// Coordinates that may not move have a unit row, so that one sparsity pattern and one symbolic analysis serve every
 /// border.
 class Axis_preconditioner
 {
 public:
-  /// the memory of one thread
+  /// the memory of one thread, for one patch
   struct Factors
   {
     typedef Eigen::SparseMatrix<Number_per_axis> Matrix;
@@ -33,6 +33,14 @@ public:
     Matrix matrix;
     Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> of_axes;
     Vector right_hand_side, solution;
+
+    /// indicates whether one of the systems is singular; Eigen sees it where both are, in the same row
+    bool is_singular() const
+    {
+      const auto diagonal = of_axes.vectorD();
+      return std::any_of(diagonal.begin(), diagonal.end(),
+                         [](const Number_per_axis& d) { return d[0] == 0 || d[1] == 0; });
+    }
   };
 
   explicit Axis_preconditioner(const Patch& patch)
@@ -67,9 +75,7 @@ public:
     }
     set_entries(energy, uv, is_free, factors.matrix);
     factors.of_axes.factorize(factors.matrix);
-    const auto diagonal = factors.of_axes.vectorD(); // Eigen itself stops where both pivots are zero
-    const auto is_singular = [](const Number_per_axis& d) { return d[0] == 0 || d[1] == 0; };
-    return std::none_of(diagonal.begin(), diagonal.end(), is_singular);
+    return !factors.is_singular();
   }
 
   /// replaces \p x, which is zero where coordinates may not move, by the solution of both systems

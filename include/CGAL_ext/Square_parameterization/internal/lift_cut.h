@@ -37,6 +37,8 @@ inline int nearest_vertex(const Triangle_surface& surface, const Eigen::Vector3d
 /// The topology is right even where the two surfaces differ.
 inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const Triangle_surface& surface)
 {
+  if(simple.edges().empty())
+    return Cut(surface);
   constexpr int SAMPLES = 8; // per edge: enough to lead along the edges of a surface that is a hundred times finer
   constexpr double BAND = 2; // how far the cut may move on either side, in edges of the simple cut
   std::vector<int> near;

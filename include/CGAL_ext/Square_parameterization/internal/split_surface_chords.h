@@ -61,6 +61,7 @@ inline Triangle_surface split_surface_chords(const Triangle_surface& surface)
 }
 
 /// gives a border of three edges a fourth: see `lengthen_border()`, which does the same to a mesh
+/// \pre there is one border at most
 inline Triangle_surface lengthen_surface_border(Triangle_surface surface)
 {
   if(surface.border_loops.empty() || surface.border_loops.front().size() != 3)

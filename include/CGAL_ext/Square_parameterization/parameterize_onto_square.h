@@ -88,9 +88,9 @@ options(const Square_map_options& options)
 ///         as value type.
 /// \tparam NamedParameters a sequence of named parameters
 ///
-/// \param mesh the surface: one connected component of triangles. A surface that is not a disk (and one that is, if the options say so) is cut in place, as
-///        `mark_seams()` marks and `cut_along_seams()` cuts; a border of three edges gets a fourth, and chords are split;
-///        else it is not changed. New vertices and faces come last.
+/// \param mesh the surface: one connected component of triangles. A surface that is not a disk (and one that is, if the
+///        options say so) is cut in place, as `mark_seams()` marks and `cut_along_seams()` cuts; a border of three edges
+///        gets a fourth, and chords are split; else it is not changed. New vertices and faces come last.
 /// \param uvmap receives the position of every vertex, in [0, 1]^2; it is written only when the status is `OK`.
 /// \param np optional named parameters among those below
 ///
@@ -125,8 +125,8 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
   try {
     const auto start = Clock::now();
     internal::check_options(options);
-    const bool may_be_cut = options.cut.mode != Cut_mode::NONE || !options.seams.empty();
-    if(may_be_cut && (!options.seams.empty() || options.cut.may_cut_disk() || !internal::is_disk(mesh)))
+    if(!options.seams.empty() || options.cut.may_cut_disk() ||
+       (options.cut.mode != Cut_mode::NONE && !internal::is_disk(mesh)))
       result.copies = internal::cut_mesh(mesh, vpm, options, result.cut);
     else
       internal::check_connected_triangles(mesh); // what is cut is checked there

@@ -145,7 +145,7 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
     const auto& [vertex, target, ring, target_ring] = coarse.removals[i];
     const auto other_end = [](const std::vector<int>& fan, int end) { return fan[0] == end ? fan.back() : fan[0]; };
     bool is_inserted = true;
-    if(target_ring.empty()) {
+    if(!coarse.removals[i].is_on_border()) {
       is_inserted = insertion.insert_inside(vertex, ring);
     } else if(!std::binary_search(removed_corners.begin(), removed_corners.end(), i)) {
       is_inserted = insertion.insert_on_side(vertex, ring, target, other_end(ring, target));

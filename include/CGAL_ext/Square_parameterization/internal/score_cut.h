@@ -104,8 +104,8 @@ inline double slow_stretch(const Patch& patch, const Uv_coordinates& border, con
   return minimization.make_minimizer(patch).make_worker()(border, nullptr).report.l2;
 }
 
-/// the opened surface as it is mapped: with four border edges at least, and without chords. Throws `Unmappable` as `make_patch()`, also for a sphere that is
-/// cut along one edge alone: its border of two vertices is none.
+/// the opened surface as it is mapped: with four border edges at least, and without chords. Throws `Unmappable` as
+/// `make_patch()`, also for a sphere that is cut along one edge alone: its border of two vertices is none.
 inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
 {
   const Triangle_surface opened = split_surface_chords(lengthen_surface_border(opened_surface(surface, cut)));

@@ -206,6 +206,25 @@ TEST_CASE("the quick score knows the stretch that long parts end with")
   CHECK(score_cut(surface, cut, options).stretch < 1.02 * searched_stretch(surface, cut, options.balance));
 }
 
+TEST_CASE("a quick score that is not done after its steps gives way to a map from coarse to fine")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(5, 128)); // a needle
+  Cut cut(surface);
+  insert_path(surface, shortest_paths(surface, {0}), 1, cut); // across the middle
+  const Patch patch = patch_of_cut(surface, cut);
+  const Cut_score_options options;
+  Minimized_map start = quick_start(patch, spread_borders(patch, options.corner_candidates), options);
+  REQUIRE(start.uv.rows() > 0);
+  const double searched = searched_stretch(surface, cut, options.balance);
+  const Minimization_report quick = quick_map(patch, std::move(start), options).report;
+  REQUIRE(quick.stop_reason == Stop_reason::MAXIMUM_ITERATIONS);
+  REQUIRE(quick.l2 > 1.3 * searched);
+  const Cut_score score = score_cut(surface, cut, options);
+  CHECK(score.stretch < 1.02 * searched);
+  CHECK(score.score == Approx(score.stretch + options.cut_weight * score.length));
+  CHECK(score.vertices > patch.number_of_vertices()); // it has cost more
+}
+
 TEST_CASE("a surface of many holes is cut and mapped, though the quick map of its score is lost in rounding")
 {
   const Triangle_surface surface = surface_of(sieve(40, 1));

@@ -22,7 +22,7 @@ struct Cut_score_options
   double balance = 0.3;     ///< of the energy that is minimised
   int corner_candidates = 8;
   int iterations = 1;      ///< of the stretch iteration, per candidate
-  int steps = 100;         ///< of the balanced minimizer, for the best of them, at most: most need half of them
+  int steps = 100;         ///< of the balanced minimizer, for the best of them: most need half of them
   double tolerance = 1e-3; ///< of the minimizer: the score need not be better than what it decides
 
   double score(double stretch, double length) const { return stretch + cut_weight * length; }
@@ -81,27 +81,49 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   return best;
 }
 
-/// a stretch that is all but the least for the corners of the start, which goes on with the balanced minimizer
-inline double quick_stretch(const Patch& patch, Minimized_map start, const Cut_score_options& options)
+/// the map for the corners of the start, which goes on with the balanced minimizer, for the steps that are allowed
+inline Minimized_map quick_map(const Patch& patch, Minimized_map start, const Cut_score_options& options)
 {
-  const double start_l2 = start.report.l2;
   Balanced_options balanced;
   balanced.balance = options.balance;
   balanced.maximum_iterations = options.steps;
   Balanced_minimizer::Workspace workspace;
   const Balanced_minimizer minimizer(patch, balanced);
-  const Minimized_map map = minimizer.minimize({std::move(start.uv), {}, {}}, options.tolerance, workspace);
-  return (std::min)(start_l2, map.report.l2);
+  return minimizer.minimize({std::move(start.uv), {}, {}}, options.tolerance, workspace);
 }
 
-/// the same where there is no quick start, by a map from coarse to fine
-inline double slow_stretch(const Patch& patch, const Uv_coordinates& border, const Cut_score_options& options)
+/// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched
+inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, const Cut_score_options& options)
 {
   Balanced_minimization minimization;
   minimization.balance = options.balance;
   minimization.search_tolerance = options.tolerance;
   minimization.maximum_iterations = options.steps;
-  return minimization.make_minimizer(patch).make_worker()(border, nullptr).report.l2;
+  return minimization.make_minimizer(patch).make_worker()(border, nullptr);
+}
+
+/// a stretch that is all but the least for a few corners, and what it has cost. Of the corners a cheap iteration tells
+/// which are mapped in earnest.
+inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& options)
+{
+  constexpr int SLOWER = 10; // is a map from coarse to fine
+  Cut_score score;
+  const std::vector<Uv_coordinates> borders = spread_borders(patch, options.corner_candidates);
+  Minimized_map start = quick_start(patch, borders, options);
+  Uv_coordinates border = borders.front();
+  bool is_done = false;
+  if(start.uv.rows() > 0) {
+    for(std::size_t k = 0; k < patch.border.size(); ++k)
+      border.row(k) = start.uv.row(patch.border[k]);
+    const double start_l2 = start.report.l2;
+    const Minimization_report quick = quick_map(patch, std::move(start), options).report;
+    score.stretch = (std::min)(start_l2, quick.l2);
+    is_done = quick.stop_reason != Stop_reason::MAXIMUM_ITERATIONS;
+  }
+  if(!is_done)
+    score.stretch = (std::min)(score.stretch, slow_map(patch, border, options).report.l2);
+  score.vertices = (is_done ? 1 : SLOWER) * patch.number_of_vertices();
+  return score;
 }
 
 /// the opened surface as it is mapped: with four border edges at least, and without chords. Throws `Unmappable` as
@@ -113,25 +135,16 @@ inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
                     opened.border_loops.empty() ? std::vector<int>() : opened.border_loops.front());
 }
 
-/// scores a cut by the stretch that it leaves on the square and by its length. Of a few corners a cheap iteration tells
-/// which are mapped in earnest.
+/// scores a cut by the stretch that it leaves on the square and by its length
 inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options)
 {
-  constexpr int SLOWER = 10; // is a map from coarse to fine
   Cut_score score;
-  score.length = cut.length(surface) / std::sqrt(surface.area);
   score.vertices = surface.number_of_vertices();
   try {
-    const Patch patch = patch_of_cut(surface, cut);
-    const std::vector<Uv_coordinates> borders = spread_borders(patch, options.corner_candidates);
-    Minimized_map start = quick_start(patch, borders, options);
-    const bool is_quick = start.uv.rows() > 0;
-    score.vertices = (is_quick ? 1 : SLOWER) * patch.number_of_vertices();
-    score.stretch =
-        is_quick ? quick_stretch(patch, std::move(start), options) : slow_stretch(patch, borders.front(), options);
-  } catch(const Unmappable&) {
-    return score; // of this cut nothing is known but that it is not the best
+    score = stretch_score(patch_of_cut(surface, cut), options);
+  } catch(const Unmappable&) { // of this cut nothing is known but that it is not the best
   }
+  score.length = cut.length(surface) / std::sqrt(surface.area);
   score.score = options.score(score.stretch, score.length);
   return score;
 }

@@ -106,7 +106,15 @@ inline Triangle_surface make_triangle_surface(std::vector<Eigen::Vector3d> point
   surface.edges = std::move(numbering.edges);
   join_halfedges(surface, numbering.triangle_edges);
   find_border_loops(surface);
+  std::vector<int> degrees(surface.points.size(), 0);
+  for(const auto& [a, b] : surface.edges) {
+    ++degrees[a];
+    ++degrees[b];
+  }
   surface.vertex_edges.resize(surface.points.size());
+  for(std::size_t v = 0; v < degrees.size(); ++v)
+    surface.vertex_edges[v].reserve(degrees[v]);
+  surface.lengths.reserve(surface.edges.size());
   for(int e = 0; e < surface.number_of_edges(); ++e) {
     const auto& [a, b] = surface.edges[e];
     surface.lengths.push_back((surface.points[b] - surface.points[a]).norm());

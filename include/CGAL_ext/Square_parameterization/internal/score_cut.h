@@ -33,8 +33,9 @@ struct Cut_score
 {
   double score = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
   double stretch = std::numeric_limits<double>::infinity();
-  double length = 0; ///< in units of sqrt(area)
-  long vertices = 0; ///< of the opened surface that was mapped, several times where maps are slow: what it has cost
+  double length = 0;    ///< in units of sqrt(area)
+  bool is_slow = false; ///< the map that tells the stretch was made from coarse to fine
+  long vertices = 0;    ///< of the opened surface that was mapped, several times when that was slow: what it has cost
 };
 
 /// candidates of the first quarter of the border, spread evenly by length
@@ -111,18 +112,18 @@ inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& opti
   const std::vector<Uv_coordinates> borders = spread_borders(patch, options.corner_candidates);
   Minimized_map start = quick_start(patch, borders, options);
   Uv_coordinates border = borders.front();
-  bool is_done = false;
+  score.is_slow = true;
   if(start.uv.rows() > 0) {
     for(std::size_t k = 0; k < patch.border.size(); ++k)
       border.row(k) = start.uv.row(patch.border[k]);
     const double start_l2 = start.report.l2;
     const Minimization_report quick = quick_map(patch, std::move(start), options).report;
     score.stretch = (std::min)(start_l2, quick.l2);
-    is_done = quick.stop_reason != Stop_reason::MAXIMUM_ITERATIONS;
+    score.is_slow = quick.stop_reason == Stop_reason::MAXIMUM_ITERATIONS;
   }
-  if(!is_done)
+  if(score.is_slow)
     score.stretch = (std::min)(score.stretch, slow_map(patch, border, options).report.l2);
-  score.vertices = (is_done ? 1 : SLOWER) * patch.number_of_vertices();
+  score.vertices = (score.is_slow ? SLOWER : 1) * patch.number_of_vertices();
   return score;
 }
 

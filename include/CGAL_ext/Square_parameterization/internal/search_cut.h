@@ -101,7 +101,7 @@ private:
   /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
   /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by the search
   /// and the minimization of the map that is delivered; of a disk the empty cut, too. Where one cut is much like another
-  /// the best is not judged.
+  /// the best is not judged, nor where maps are slow: its score is right to a percent or two, and judging takes seconds.
   Cut decide(const Triangle_surface& surface)
   {
     const std::size_t judged = has_many_loops(surface) ? 1 : 3;
@@ -116,7 +116,7 @@ private:
     const auto is_empty = [](const Scored_cut& cut) { return cut.cut.edges().empty(); };
     if(surface.is_disk() && std::none_of(cuts.begin(), cuts.end(), is_empty)) // a cut that is not needed must pay
       cuts.push_back(pool.start({Cut(surface)}).front());
-    if(cuts.size() > 1)
+    if(cuts.size() > 1 && (surface.is_disk() || !cuts.front().score.is_slow))
       judge(surface, m_scoring, m_team, cuts, m_report);
     const Scored_cut& best = shortest_of_best(cuts);
     m_report.score = best.score.score;

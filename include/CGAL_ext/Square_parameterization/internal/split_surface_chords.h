@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -30,8 +31,10 @@ inline void split_triangle(const std::array<int, 3>& t, const std::array<int, 3>
 }
 
 /// splits edges at their midpoints
-inline Triangle_surface split_surface_edges(const Triangle_surface& surface, const std::vector<int>& edges)
+inline Triangle_surface split_surface_edges(Triangle_surface surface, const std::vector<int>& edges)
 {
+  if(edges.empty())
+    return surface;
   std::vector<int> midpoints(surface.edges.size(), -1);
   std::vector<Eigen::Vector3d> points = surface.points;
   for(int e : edges) {
@@ -49,7 +52,7 @@ inline Triangle_surface split_surface_edges(const Triangle_surface& surface, con
 
 /// splits every interior edge between two border vertices at its midpoint: see `split_chords()`, which does the same to
 /// a mesh
-inline Triangle_surface split_surface_chords(const Triangle_surface& surface)
+inline Triangle_surface split_surface_chords(Triangle_surface surface)
 {
   std::vector<int> chords;
   for(int e = 0; e < surface.number_of_edges(); ++e) {
@@ -57,7 +60,7 @@ inline Triangle_surface split_surface_chords(const Triangle_surface& surface)
     if(!surface.is_border_edge(e) && surface.is_border_vertex[a] && surface.is_border_vertex[b])
       chords.push_back(e);
   }
-  return split_surface_edges(surface, chords);
+  return split_surface_edges(std::move(surface), chords);
 }
 
 /// gives a border of three edges a fourth: see `lengthen_border()`, which does the same to a mesh
@@ -71,7 +74,8 @@ inline Triangle_surface lengthen_surface_border(Triangle_surface surface)
     if(surface.is_border_edge(e))
       border.push_back(e);
   const auto is_shorter = [&](int e, int f) { return surface.lengths[e] < surface.lengths[f]; };
-  return split_surface_edges(surface, {*std::max_element(border.begin(), border.end(), is_shorter)});
+  const int longest = *std::max_element(border.begin(), border.end(), is_shorter);
+  return split_surface_edges(std::move(surface), {longest});
 }
 
 } // namespace internal

@@ -107,7 +107,7 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
 /// which are mapped in earnest.
 inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& options)
 {
-  constexpr int SLOWER = 10; // is a map from coarse to fine
+  constexpr int SLOWER = 5; // is a map from coarse to fine
   Cut_score score;
   const std::vector<Uv_coordinates> borders = spread_borders(patch, options.corner_candidates);
   Minimized_map start = quick_start(patch, borders, options);

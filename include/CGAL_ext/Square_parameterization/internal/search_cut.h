@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CUT_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CUT_H
 
-#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/internal/Few_corners_search.h>
 #include <CGAL_ext/Square_parameterization/internal/decimate_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/grow_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/lift_cut.h>
@@ -30,8 +30,8 @@ inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& s
   return surface.number_of_faces() > 5 * faces / 4 ? decimate_surface(surface, faces) : std::nullopt;
 }
 
-/// the stretch of the opened surface when its corners are searched and its map is minimised as that to be delivered, but
-/// not to its tolerance; infinite when there is no map
+/// the stretch of the opened surface when its corners are searched, among few, and its map is minimised as that to be
+/// delivered, but not to its tolerance; infinite when there is no map
 inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance)
 {
   constexpr double TOLERANCE = 1e-3; // a fifth of what counts as equal
@@ -43,7 +43,7 @@ inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, 
   try {
     const Patch patch = patch_of_cut(surface, cut);
     const Map_minimizer minimizer = minimization.make_minimizer(patch);
-    return search_square_map(patch, minimizer, Bracketing_corner_search(), options).map.report.l2;
+    return search_square_map(patch, minimizer, Few_corners_search(), options).map.report.l2;
   } catch(const Unmappable&) {
     return std::numeric_limits<double>::infinity();
   }
@@ -99,24 +99,26 @@ private:
   Cut_pool make_pool(const Triangle_surface& surface) { return {surface, m_scoring, m_max_cut_length, m_team}; }
 
   /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
-  /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by the search
-  /// and the minimization of the map that is delivered; of a disk the empty cut, too. Where one cut is much like another
-  /// the best is not judged, nor where maps are slow: its score is right to a percent or two, and judging takes seconds.
+  /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by a search of
+  /// corners and the minimization of the map that is delivered; of a disk the empty cut, too. Where one cut is much like
+  /// another the best is taken unjudged, and where maps are slow: its score is right to a percent or two, and judging
+  /// takes seconds.
   Cut decide(const Triangle_surface& surface)
   {
-    const std::size_t judged = has_many_loops(surface) ? 1 : 3;
+    constexpr std::size_t JUDGED = 3;
     constexpr long REFINEMENT_WORK = 30000; // vertices to map
     Cut_pool pool = make_pool(surface);
     std::vector<Scored_cut> cuts = pool.start(grown_cuts(surface));
     std::stable_sort(cuts.begin(), cuts.end(), is_better);
     const auto is_same = [](const Scored_cut& a, const Scored_cut& b) { return a.cut.edges() == b.cut.edges(); };
     cuts.erase(std::unique(cuts.begin(), cuts.end(), is_same), cuts.end());
-    cuts.resize((std::min)(cuts.size(), judged), cuts.front());
     refine_cut(pool, REFINEMENT_WORK, cuts.front(), m_report);
+    const bool is_unjudged = has_many_loops(surface) || cuts.front().score.is_slow;
+    cuts.resize((std::min)(cuts.size(), is_unjudged ? 1 : JUDGED), cuts.front());
     const auto is_empty = [](const Scored_cut& cut) { return cut.cut.edges().empty(); };
     if(surface.is_disk() && std::none_of(cuts.begin(), cuts.end(), is_empty)) // a cut that is not needed must pay
       cuts.push_back(pool.start({Cut(surface)}).front());
-    if(cuts.size() > 1 && (surface.is_disk() || !cuts.front().score.is_slow))
+    if(cuts.size() > 1)
       judge(surface, m_scoring, m_team, cuts, m_report);
     const Scored_cut& best = shortest_of_best(cuts);
     m_report.score = best.score.score;

@@ -225,6 +225,19 @@ TEST_CASE("a quick score that is not done after its steps gives way to a map fro
   CHECK(score.vertices > patch.number_of_vertices()); // it has cost more
 }
 
+TEST_CASE("a cut with a slow score is taken unjudged, and the score is right")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3, 128));
+  Cut_options options;
+  options.cut_weight = 20; // the needle is to be cut across
+  const Decision decision = decide(surface, options);
+  CHECK(decision.report.cut_length < 0.1);
+  for(const Cut_step& step : decision.report.history)
+    CHECK(step.kind != Cut_step::JUDGED);
+  CHECK(decision.report.stretch == Approx(searched_stretch(surface, decision.cut, options.balance)).epsilon(0.02));
+  CHECK(decision.report.score == Approx(decision.report.stretch + options.cut_weight * decision.report.cut_length));
+}
+
 TEST_CASE("a surface of many holes is cut and mapped, though the quick map of its score is lost in rounding")
 {
   const Triangle_surface surface = surface_of(sieve(40, 1));

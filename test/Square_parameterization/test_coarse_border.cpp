@@ -82,14 +82,6 @@ void check_border(const Uv_coordinates& border_uv)
   CHECK(corners == std::set<double>{0, 1, 2, 3});
 }
 
-Uv_coordinates border_rows(const Patch& patch, const Uv_coordinates& uv)
-{
-  Uv_coordinates rows(patch.border.size(), 2);
-  for(std::size_t k = 0; k < patch.border.size(); ++k)
-    rows.row(k) = uv.row(patch.border[k]);
-  return rows;
-}
-
 /// the border with corners at the given places of the border loop
 Uv_coordinates border_with_corners(const Patch& patch, const Corners& corners)
 {
@@ -149,7 +141,7 @@ TEST_CASE("a vertex stands for each corner that a coarse border leaves out, and 
       const auto uv = insert_vertices(fine, coarse, map, removed, 0.3);
       REQUIRE(uv);
       CHECK(number_of_flipped_faces(fine.triangles, *uv) == 0);
-      const Uv_coordinates border = border_rows(fine, *uv);
+      const Uv_coordinates border = border_coordinates(fine, *uv);
       check_border(border);
       for(Eigen::Index k = 0; k < border.rows(); ++k)
         if(place_on_border(border_uv.row(k)) == std::floor(place_on_border(border_uv.row(k))))
@@ -178,7 +170,7 @@ TEST_CASE("where two corners fall into one vertex there is no coarse border, and
   const Minimized_map map = Balanced_minimization().make_minimizer(fine).make_worker()(border_uv, nullptr);
   REQUIRE(map.uv.rows() == fine.number_of_vertices());
   CHECK(number_of_flipped_faces(fine.triangles, map.uv) == 0);
-  check_border(border_rows(fine, map.uv));
+  check_border(border_coordinates(fine, map.uv));
   CHECK(map.warm_start.rows() == 0); // its coarse patches are not those of other maps
 }
 
@@ -223,5 +215,5 @@ TEST_CASE("a border that slides on the square stays on any other curve, however 
   const Minimized_map map = Balanced_minimization().make_minimizer(patch).map_border(circle);
   REQUIRE(map.uv.rows() == patch.number_of_vertices());
   CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
-  CHECK(border_rows(patch, map.uv) == circle);
+  CHECK(border_coordinates(patch, map.uv) == circle);
 }

@@ -39,7 +39,7 @@ public:
     const std::optional<int> sketched = best_sketch(problem);
     if(sketched && go_downhill(*sketched, samples))
       return;
-    samples.evaluate(even_samples(samples.ring.size(), m_samples));
+    samples.evaluate(samples.ring.even_candidates(m_samples));
     close_in(samples);
   }
 
@@ -100,14 +100,6 @@ private:
     return false;
   }
 
-  static std::set<int> even_samples(int n, int count)
-  {
-    std::set<int> samples;
-    for(int i = 0; i < (std::min)(count, n); ++i)
-      samples.insert(static_cast<int>(static_cast<long>(i) * n / (std::min)(count, n)));
-    return samples;
-  }
-
   /// the best candidate of a coarser mesh: of even samples, and ever finer ones round the best; none when there is no such
   /// mesh or it has no map
   static std::optional<int> best_sketch(const Corner_search_problem& problem)
@@ -117,7 +109,7 @@ private:
       return {};
     internal::Candidate_ring ring(problem);
     ring.compare_sketches();
-    const std::set<int> samples = even_samples(ring.size(), SAMPLES);
+    const std::set<int> samples = ring.even_candidates(SAMPLES);
     ring.evaluate({samples.begin(), samples.end()});
     if(!std::isfinite(ring.stretch(ring.best())))
       return {};

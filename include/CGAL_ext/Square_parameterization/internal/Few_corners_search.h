@@ -7,7 +7,6 @@
 #include <CGAL_ext/Square_parameterization/internal/Candidate_ring.h>
 
 #include <set>
-#include <vector>
 
 namespace CGAL_ext {
 namespace internal {
@@ -25,20 +24,10 @@ public:
     constexpr int SAMPLES = 4, HALVINGS = 2;
     Candidate_ring ring(problem);
     ring.start_from_neighbors();
-    std::set<int> samples;
-    for(long i = 0; i < SAMPLES; ++i)
-      samples.insert(static_cast<int>(i * ring.size() / SAMPLES));
+    const std::set<int> samples = ring.even_candidates(SAMPLES);
     ring.evaluate({samples.begin(), samples.end()});
-    for(int i = 0; i < HALVINGS; ++i) {
-      const std::set<int> halves{half_way(ring, -1), half_way(ring, 1)};
-      std::vector<int> unknown;
-      for(int candidate : halves)
-        if(!ring.is_known(candidate))
-          unknown.push_back(candidate);
-      if(unknown.empty())
-        return;
-      ring.evaluate(unknown);
-    }
+    for(int i = 0; i < HALVINGS; ++i)
+      ring.evaluate({half_way(ring, -1), half_way(ring, 1)}); // known ones cost nothing
   }
 
 private:

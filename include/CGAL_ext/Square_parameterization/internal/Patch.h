@@ -44,6 +44,15 @@ struct Patch
   int number_of_faces() const { return static_cast<int>(triangles.size()); }
 };
 
+/// the rows of \p uv (#V by 2) for the border vertices: #B by 2
+inline Uv_coordinates border_coordinates(const Patch& patch, const Uv_coordinates& uv)
+{
+  Uv_coordinates border(patch.border.size(), 2);
+  for(std::size_t k = 0; k < patch.border.size(); ++k)
+    border.row(k) = uv.row(patch.border[k]);
+  return border;
+}
+
 /// multiplies the points by a power of two so that the largest coordinate is near 1: exact, and no square overflows.
 /// The points are moved to their centre first, so that a far origin costs no digits afterwards.
 /// Returns the length, after scaling, below which the coordinates carry no information.

@@ -46,10 +46,7 @@ public:
       const Search_outcome outcome = search(patch, m_objective.make_minimizer(patch));
       if(outcome.report.best_candidate < 0)
         return SMP::ERROR_NO_1_TO_1_MAPPING;
-      Uv_coordinates border_uv(patch.border.size(), 2);
-      for(std::size_t k = 0; k < patch.border.size(); ++k)
-        border_uv.row(k) = outcome.map.uv.row(patch.border[k]);
-      write_uv(select(vertices, patch.border), border_uv, uvmap, vpmap);
+      write_uv(select(vertices, patch.border), border_coordinates(patch, outcome.map.uv), uvmap, vpmap);
       return SMP::OK;
     } catch(const Unmappable& error) {
       return error.code();

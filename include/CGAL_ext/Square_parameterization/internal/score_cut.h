@@ -114,8 +114,7 @@ inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& opti
   Uv_coordinates border = borders.front();
   score.is_slow = true;
   if(start.uv.rows() > 0) {
-    for(std::size_t k = 0; k < patch.border.size(); ++k)
-      border.row(k) = start.uv.row(patch.border[k]);
+    border = border_coordinates(patch, start.uv);
     const double start_l2 = start.report.l2;
     const Minimization_report quick = quick_map(patch, std::move(start), options).report;
     score.stretch = (std::min)(start_l2, quick.l2);

@@ -45,7 +45,7 @@ private:
   /// indicates whether another terminal, with all of its candidates, would be too much work, in vertices to map
   bool is_exhausted() const
   {
-    constexpr long WORK = 200000, LITTLE_WORK = 70000;
+    constexpr long WORK = 150000, LITTLE_WORK = 70000;
     return m_pool.vertices_mapped() + 2 * CANDIDATES * m_pool.vertices_per_score() >
            (has_many_loops(m_surface) ? LITTLE_WORK : WORK);
   }

@@ -88,7 +88,7 @@ TEST_CASE("the best cut is the best that was judged, better than a short one, an
     CHECK(history.back().kind == Cut_step::JUDGED);
     for(const Cut_step& step : history) {
       CHECK(step.score == Approx(step.stretch + 0.05 * step.length));
-      CHECK((step.kind != Cut_step::JUDGED || decision.report.score <= 1.005 * step.score));
+      CHECK((step.kind != Cut_step::JUDGED || decision.report.score <= 1.001 * step.score));
     }
     CHECK(decision.report.stretch == searched_stretch(surface, decision.cut, Cut_options().balance));
     CHECK(decision.report.score == Approx(decision.report.stretch + 0.05 * decision.report.cut_length));

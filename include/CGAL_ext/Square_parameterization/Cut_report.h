@@ -21,7 +21,8 @@ struct Cut_step
     ADDED,   ///< a cut that was extended to a terminal
     DROPPED, ///< a cut that was freed from a terminal
     MOVED,   ///< a cut of which a terminal gave way to another
-    JUDGED   ///< one of those that were judged at last: of the best, within half a percent, the shortest was taken
+    JUDGED   ///< one of those that were judged at last: of the best, within 0.5 %, the shortest was taken; within 0.1 %
+             ///< where nothing was simplified
   };
 
   Kind kind;

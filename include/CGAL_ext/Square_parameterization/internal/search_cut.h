@@ -34,7 +34,7 @@ inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& s
 /// delivered, but not to its tolerance; infinite when there is no map
 inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance)
 {
-  constexpr double TOLERANCE = 1e-3; // a fifth of what counts as equal
+  constexpr double TOLERANCE = 1e-3;
   Balanced_minimization minimization;
   minimization.balance = balance;
   minimization.tolerance = minimization.search_tolerance = TOLERANCE;
@@ -63,12 +63,11 @@ inline void judge(const Triangle_surface& surface, const Cut_score_options& scor
     record(cut, report);
 }
 
-/// the best of the cuts; among equals the shortest: the copy that they are judged on overrates the stretch of short cuts
-inline const Scored_cut& shortest_of_best(const std::vector<Scored_cut>& cuts)
+/// the shortest of the cuts whose score is at most by \p tolerance, relative, above the least
+inline const Scored_cut& shortest_of_best(const std::vector<Scored_cut>& cuts, double tolerance)
 {
-  constexpr double EQUAL = 5e-3; // relative: the copy is right to about that
   const Scored_cut* best = &*std::min_element(cuts.begin(), cuts.end(), is_better);
-  const double limit = (1 + EQUAL) * best->score.score;
+  const double limit = (1 + tolerance) * best->score.score;
   for(const Scored_cut& cut : cuts)
     if(cut.score.score <= limit && cut.score.length < best->score.length)
       best = &cut;
@@ -90,9 +89,11 @@ public:
   Cut operator()(const Triangle_surface& surface)
   {
     constexpr int DECISION_FACES = 4000;
+    constexpr double COPY_TOLERANCE = 5e-3; // a copy overrates the stretch of short cuts by about that
+    constexpr double MAP_TOLERANCE = 1e-3;  // the surface itself is mapped to that when cuts are judged
     const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
     m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
-    return copy ? lift_cut(*copy, decide(*copy), surface) : decide(surface);
+    return copy ? lift_cut(*copy, decide(*copy, COPY_TOLERANCE), surface) : decide(surface, MAP_TOLERANCE);
   }
 
 private:
@@ -103,7 +104,8 @@ private:
   /// corners and the minimization of the map that is delivered; of a disk the empty cut, too. Where one cut is much like
   /// another the best is taken unjudged, and where maps are slow: its score is right to a percent or two, and judging
   /// takes seconds.
-  Cut decide(const Triangle_surface& surface)
+  /// \param tolerance relative: of scores that differ by less the shortest cut wins
+  Cut decide(const Triangle_surface& surface, double tolerance)
   {
     constexpr std::size_t JUDGED = 3;
     constexpr long REFINEMENT_WORK = 30000; // vertices to map
@@ -120,7 +122,7 @@ private:
       cuts.push_back(pool.start({Cut(surface)}).front());
     if(cuts.size() > 1)
       judge(surface, m_scoring, m_team, cuts, m_report);
-    const Scored_cut& best = shortest_of_best(cuts);
+    const Scored_cut& best = shortest_of_best(cuts, tolerance);
     m_report.score = best.score.score;
     m_report.stretch = best.score.stretch;
     return best.cut;

@@ -106,14 +106,24 @@ TEST_CASE("an output with another extension than .obj, .off or .ply is refused")
     check_refusal(folder, {input, "-o", folder / name}, BAD_COMMAND_LINE, ".obj, .off or .ply");
 }
 
+namespace {
+
+/// the first vertex from `first` on that is not on the border
+long inner_vertex(const std::vector<long>& border, long first)
+{
+  while(std::find(border.begin(), border.end(), first) != border.end())
+    ++first;
+  return first;
+}
+
+} // namespace
+
 TEST_CASE("corners that are not four border vertices in order are refused")
 {
   const Temporary_folder folder;
   const std::string input = folder.add("in.off", off(small));
   const std::vector<long> b = border_of(small.faces);
-  long inner = 0;
-  while(std::find(b.begin(), b.end(), inner) != b.end())
-    ++inner;
+  const long inner = inner_vertex(b, 0);
   const long beyond = static_cast<long>(small.points.size());
   const auto check = [&](const std::string& corners, const std::string& words) {
     check_refusal(folder, {input, "-o", folder / "map.obj", "--corners", corners}, BAD_COMMAND_LINE, words);
@@ -138,9 +148,7 @@ TEST_CASE("a corner is named by its number in the file when isolated vertices ar
   const Temporary_folder folder;
   const std::string input = folder.add("in.off", off(soup));
   const std::vector<long> b = border_of(soup.faces);
-  long inner = 2;
-  while(std::find(b.begin(), b.end(), inner) != b.end())
-    ++inner;
+  const long inner = inner_vertex(b, 2);
   check_refusal(folder, {input, "--corners", corner_option({b[0], b[3], inner, b[9]})}, BAD_COMMAND_LINE,
                 "vertex " + std::to_string(inner) + " is not on the border");
   check_refusal(folder, {input, "--corners", corner_option({b[0], b[3], 1, b[9]})}, BAD_COMMAND_LINE,

@@ -7,6 +7,8 @@
 #include <CGAL_ext/Square_parameterization/internal/Candidate_ring.h>
 
 #include <optional>
+#include <set>
+#include <vector>
 
 namespace CGAL_ext {
 
@@ -39,7 +41,8 @@ public:
     const std::optional<int> sketched = best_sketch(problem);
     if(sketched && go_downhill(*sketched, samples))
       return;
-    samples.evaluate(samples.ring.even_candidates(m_samples));
+    const std::vector<int> even = samples.ring.even_candidates(m_samples);
+    samples.evaluate({even.begin(), even.end()});
     close_in(samples);
   }
 
@@ -109,8 +112,7 @@ private:
       return {};
     internal::Candidate_ring ring(problem);
     ring.compare_sketches();
-    const std::set<int> samples = ring.even_candidates(SAMPLES);
-    ring.evaluate({samples.begin(), samples.end()});
+    ring.evaluate(ring.even_candidates(SAMPLES));
     if(!std::isfinite(ring.stretch(ring.best())))
       return {};
     for(std::set<int> finer; !(finer = samples_around_best(ring, SAMPLES)).empty();)

@@ -37,13 +37,13 @@ public:
   /// the candidate at any integer position of the ring
   int at(long position) const { return static_cast<int>(((position % size()) + size()) % size()); }
 
-  /// up to \p count candidates spread evenly over the ring, the first among them
-  std::set<int> even_candidates(int count) const
+  /// up to \p count candidates spread evenly over the ring, ascending, the first among them
+  std::vector<int> even_candidates(int count) const
   {
     const int n = (std::min)(count, size());
-    std::set<int> candidates;
+    std::vector<int> candidates;
     for(int i = 0; i < n; ++i)
-      candidates.insert(static_cast<int>(static_cast<long>(i) * size() / n));
+      candidates.push_back(static_cast<int>(static_cast<long>(i) * size() / n));
     return candidates;
   }
 

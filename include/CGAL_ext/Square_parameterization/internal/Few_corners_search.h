@@ -6,8 +6,6 @@
 
 #include <CGAL_ext/Square_parameterization/internal/Candidate_ring.h>
 
-#include <set>
-
 namespace CGAL_ext {
 namespace internal {
 
@@ -24,8 +22,7 @@ public:
     constexpr int SAMPLES = 4, HALVINGS = 2;
     Candidate_ring ring(problem);
     ring.start_from_neighbors();
-    const std::set<int> samples = ring.even_candidates(SAMPLES);
-    ring.evaluate({samples.begin(), samples.end()});
+    ring.evaluate(ring.even_candidates(SAMPLES));
     for(int i = 0; i < HALVINGS; ++i)
       ring.evaluate({half_way(ring, -1), half_way(ring, 1)}); // known ones cost nothing
   }

@@ -30,14 +30,16 @@ inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& s
   return surface.number_of_faces() > 5 * faces / 4 ? decimate_surface(surface, faces) : std::nullopt;
 }
 
+/// of the maps by which cuts are judged; relative
+constexpr double JUDGING_TOLERANCE = 1e-3;
+
 /// the stretch of the opened surface when its corners are searched, among few, and its map is minimised as that to be
 /// delivered, but not to its tolerance; infinite when there is no map
 inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance)
 {
-  constexpr double TOLERANCE = 1e-3;
   Balanced_minimization minimization;
   minimization.balance = balance;
-  minimization.tolerance = minimization.search_tolerance = TOLERANCE;
+  minimization.tolerance = minimization.search_tolerance = JUDGING_TOLERANCE;
   Square_search_options options;
   options.number_of_threads = 1;
   try {
@@ -90,10 +92,9 @@ public:
   {
     constexpr int DECISION_FACES = 4000;
     constexpr double COPY_TOLERANCE = 5e-3; // a copy overrates the stretch of short cuts by about that
-    constexpr double MAP_TOLERANCE = 1e-3;  // the surface itself is mapped to that when cuts are judged
     const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
     m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
-    return copy ? lift_cut(*copy, decide(*copy, COPY_TOLERANCE), surface) : decide(surface, MAP_TOLERANCE);
+    return copy ? lift_cut(*copy, decide(*copy, COPY_TOLERANCE), surface) : decide(surface, JUDGING_TOLERANCE);
   }
 
 private:

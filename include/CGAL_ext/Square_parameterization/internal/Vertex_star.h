@@ -16,10 +16,10 @@ namespace internal {
 /// what the energy of a triangle needs to know of its shape when one of its corners moves; all on the surface
 struct Corner_shape
 {
-  double area;
-  double squared_side;   ///< of the side opposite to the corner
-  double squared_height; ///< over that side
-  double foot;           ///< where the height divides the side: 0 at the next corner, 1 at the one after it
+  double inverse_twice_area;
+  double side;   ///< squared length of the side opposite to the corner, over four times the area
+  double height; ///< squared height over that side, over four times the area
+  double foot;   ///< where the height divides the side: 0 at the next corner, 1 at the one after it
 };
 
 inline Corner_shape corner_shape(const Flat_triangle& shape, int corner)
@@ -28,16 +28,17 @@ inline Corner_shape corner_shape(const Flat_triangle& shape, int corner)
                                              Eigen::Vector2d(shape.x2, shape.y2)};
   const Eigen::Vector2d& start = plane[(corner + 1) % 3];
   const Eigen::Vector2d side = plane[(corner + 2) % 3] - start;
-  const double squared_side = side.squaredNorm(), twice_area = 2 * shape.area();
-  return {shape.area(), squared_side, twice_area * twice_area / squared_side,
+  const double squared_side = side.squaredNorm(), area = shape.area();
+  return {1 / (2 * area), squared_side / (4 * area), area / squared_side,
           (plane[corner] - start).dot(side) / squared_side};
 }
 
 /// the balanced energy (see `Balanced_energy`) of the triangles around one vertex, as a function of its uv position p
 /// alone.
 ///
-/// In a triangle with the opposite side from q to r, the determinant D is linear in p, and N = c |p - foot|^2 + N0: c is
-/// the squared length of the side on the surface, and the foot divides qr as the height of the triangle does there.
+/// With the Jacobian K, J = det(K) and E = |K|^2 times its area, a triangle contributes E (1 / J^2 + b). When qr is the
+/// side opposite to p, J is linear in p, and E = c |p - foot|^2 + E0: c is the squared length of the side on the surface
+/// over four times the area, and the foot divides qr as the height of the triangle does there.
 class Vertex_star
 {
 public:
@@ -55,12 +56,9 @@ public:
   void add(const Corner_shape& shape, const Eigen::RowVector2d& q, const Eigen::RowVector2d& r)
   {
     const Eigen::RowVector2d start = q - m_origin, side = r - q;
-    m_corners.push_back({shape.area,
-                         shape.squared_side,
-                         start.x() * side.y() - start.y() * side.x(),
-                         shape.squared_height * side.squaredNorm(),
-                         start + shape.foot * side,
-                         {-side.y(), side.x()}});
+    const Eigen::RowVector2d slope = shape.inverse_twice_area * Eigen::RowVector2d(-side.y(), side.x());
+    m_corners.push_back(
+        {-start.dot(slope), shape.side, shape.height * side.squaredNorm(), start + shape.foot * side, slope, 0});
   }
 
   /// the energy with the vertex at \p position; infinite when a triangle is not counter-clockwise
@@ -68,7 +66,7 @@ public:
 
   /// moves \p position by one step of Newton's method, of which the Hessian is made positive definite, to a lower
   /// energy, along the axes that are free. Returns false when it stays.
-  bool improve(Eigen::RowVector2d& position, const std::array<bool, 2>& is_free) const
+  bool improve(Eigen::RowVector2d& position, const std::array<bool, 2>& is_free)
   {
     constexpr double SAFETY = 0.8, SUFFICIENT_DECREASE = 1e-4, NEGLIGIBLE = 1e-12;
     constexpr int MAXIMUM_HALVINGS = 4;
@@ -78,7 +76,7 @@ public:
     const double slope = here.gradient.dot(step);
     if(!(-slope > NEGLIGIBLE * here.energy))
       return false;
-    double length = (std::min)(1., SAFETY * largest_step(p, step));
+    double length = (std::min)(1., SAFETY * largest_step(step));
     for(int i = 0; i < MAXIMUM_HALVINGS; ++i, length /= 2) {
       const Eigen::RowVector2d moved = position + length * step;
       if(energy(moved) <= here.energy + SUFFICIENT_DECREASE * length * slope) {
@@ -92,18 +90,19 @@ public:
 private:
   struct Corner
   {
-    double area, squared_side, determinant_at_origin, least_norm;
+    double determinant_at_origin, side, least_dirichlet;
     Eigen::RowVector2d foot, determinant_slope;
+    double inverse_determinant; // where the derivatives were taken
 
     double determinant(const Eigen::RowVector2d& p) const { return determinant_at_origin + determinant_slope.dot(p); }
-    double norm(const Eigen::RowVector2d& p) const { return squared_side * (p - foot).squaredNorm() + least_norm; }
+    double dirichlet(const Eigen::RowVector2d& p) const { return side * (p - foot).squaredNorm() + least_dirichlet; }
   };
 
   struct Derivatives
   {
-    double energy = 0;
-    Eigen::RowVector2d gradient = Eigen::RowVector2d::Zero();
-    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+    double energy;
+    Eigen::RowVector2d gradient;
+    double uu, uv, vv; // of the Hessian
   };
 
   // positions are relative to the origin from here on
@@ -112,66 +111,57 @@ private:
   {
     double energy = 0;
     for(const Corner& corner : m_corners) {
-      const double D = corner.determinant(p);
-      if(!(D > 0))
+      const double J = corner.determinant(p);
+      if(!(J > 0))
         return std::numeric_limits<double>::infinity();
-      energy += corner.norm(p) * factor(corner, D);
+      energy += corner.dirichlet(p) * (1 / (J * J) + m_balance);
     }
     return energy;
   }
 
-  double factor(const Corner& corner, double determinant) const
+  Derivatives derivatives(const Eigen::RowVector2d& p)
   {
-    return corner.area / (determinant * determinant) + m_balance / (4 * corner.area);
-  }
-
-  Derivatives derivatives(const Eigen::RowVector2d& p) const
-  {
-    Derivatives d;
-    for(const Corner& corner : m_corners) {
-      const double D = corner.determinant(p), N = corner.norm(p), weight = factor(corner, D);
-      const Eigen::RowVector2d norm_slope = 2 * corner.squared_side * (p - corner.foot);
-      const double first = -2 * corner.area / (D * D * D), second = -3 * first / D * N; // of the weight; times N
+    double energy = 0, by_u = 0, by_v = 0, uu = 0, uv = 0, vv = 0;
+    for(Corner& corner : m_corners) {
+      const double inverse = 1 / corner.determinant(p), E = corner.dirichlet(p);
+      corner.inverse_determinant = inverse;
+      const double weight = inverse * inverse + m_balance;
+      const double first = -2 * inverse * inverse * inverse; // derivative of the weight by J
+      const double second = -3 * first * inverse * E;        // and the next one, times E
       const Eigen::RowVector2d& s = corner.determinant_slope;
-      const Eigen::Matrix2d mixed = norm_slope.transpose() * s;
-      d.energy += N * weight;
-      d.gradient += weight * norm_slope + first * N * s;
-      d.hessian += 2 * weight * corner.squared_side * Eigen::Matrix2d::Identity() +
-                   first * (mixed + mixed.transpose()) + second * s.transpose() * s;
+      const Eigen::RowVector2d e = 2 * corner.side * (p - corner.foot); // gradient of E
+      energy += E * weight;
+      by_u += weight * e.x() + first * E * s.x();
+      by_v += weight * e.y() + first * E * s.y();
+      uu += 2 * weight * corner.side + 2 * first * e.x() * s.x() + second * s.x() * s.x();
+      uv += first * (e.x() * s.y() + e.y() * s.x()) + second * s.x() * s.y();
+      vv += 2 * weight * corner.side + 2 * first * e.y() * s.y() + second * s.y() * s.y();
     }
-    return d;
+    return {energy, {by_u, by_v}, uu, uv, vv};
   }
 
   static Eigen::RowVector2d newton_step(const Derivatives& d, const std::array<bool, 2>& is_free)
   {
     constexpr double LEAST_RATIO = 1e-3, SHIFT = 0.05; // of the eigenvalues of the Hessian, to the larger one
-    Eigen::Matrix2d H = d.hessian;
-    if(!is_free[0] || !is_free[1]) {
-      const int axis = is_free[0] ? 0 : 1;
-      Eigen::RowVector2d step(0, 0);
-      if(is_free[axis] && H(axis, axis) > 0)
-        step[axis] = -d.gradient[axis] / H(axis, axis);
-      return step;
-    }
-    const double mean = (H(0, 0) + H(1, 1)) / 2, half = (H(0, 0) - H(1, 1)) / 2;
-    const double radius = std::sqrt(half * half + H(0, 1) * H(0, 1));
+    if(!is_free[0] || !is_free[1])
+      return {is_free[0] && d.uu > 0 ? -d.gradient.x() / d.uu : 0, is_free[1] && d.vv > 0 ? -d.gradient.y() / d.vv : 0};
+    const double mean = (d.uu + d.vv) / 2, half = (d.uu - d.vv) / 2;
+    const double radius = std::sqrt(half * half + d.uv * d.uv);
     const double least = mean - radius, largest = mean + radius;
-    if(least < LEAST_RATIO * largest)
-      H.diagonal().array() += SHIFT * largest - least;
-    return {-(H(1, 1) * d.gradient.x() - H(0, 1) * d.gradient.y()) / H.determinant(),
-            -(H(0, 0) * d.gradient.y() - H(0, 1) * d.gradient.x()) / H.determinant()};
+    const double shift = least < LEAST_RATIO * largest ? SHIFT * largest - least : 0;
+    const double uu = d.uu + shift, vv = d.vv + shift, determinant = uu * vv - d.uv * d.uv;
+    return {(d.uv * d.gradient.y() - vv * d.gradient.x()) / determinant,
+            (d.uv * d.gradient.x() - uu * d.gradient.y()) / determinant};
   }
 
-  /// the length of the step at which the first triangle loses its area
-  double largest_step(const Eigen::RowVector2d& p, const Eigen::RowVector2d& step) const
+  /// the length of the step, from where the derivatives were taken, at which the first triangle loses its area; infinite
+  /// when none does
+  double largest_step(const Eigen::RowVector2d& step) const
   {
-    double largest = std::numeric_limits<double>::infinity();
-    for(const Corner& corner : m_corners) {
-      const double change = corner.determinant_slope.dot(step);
-      if(change < 0)
-        largest = (std::min)(largest, -corner.determinant(p) / change);
-    }
-    return largest;
+    double loss = 0; // of the area of a triangle, relative, in the whole step
+    for(const Corner& corner : m_corners)
+      loss = (std::max)(loss, -corner.determinant_slope.dot(step) * corner.inverse_determinant);
+    return 1 / loss;
   }
 
   double m_balance;

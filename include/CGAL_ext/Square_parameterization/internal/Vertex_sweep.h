@@ -18,7 +18,7 @@ class Vertex_sweep
 {
 public:
   Vertex_sweep(const Patch& patch, double balance)
-    : m_patch(patch), m_balance(balance), m_first(patch.points.size() + 1, 0), m_corners(3 * patch.triangles.size())
+    : m_balance(balance), m_first(patch.points.size() + 1, 0), m_corners(3 * patch.triangles.size())
   {
     for(const auto& t : patch.triangles)
       for(int v : t)
@@ -27,22 +27,23 @@ public:
       m_first[v] += m_first[v - 1];
     std::vector<int> next(m_first.begin(), m_first.end() - 1);
     for(int f = 0; f < patch.number_of_faces(); ++f)
-      for(int k = 0; k < 3; ++k)
-        m_corners[next[patch.triangles[f][k]]++] = {f, k, corner_shape(patch.shapes[f], k)};
+      for(int k = 0; k < 3; ++k) {
+        const auto& t = patch.triangles[f];
+        m_corners[next[t[k]]++] = {t[(k + 1) % 3], t[(k + 2) % 3], corner_shape(patch.shapes[f], k)};
+      }
   }
 
   /// visits every vertex once, in order; \p uv has no flips before nor after
   void operator()(const Free_coordinates& is_free, Uv_coordinates& uv) const
   {
     Vertex_star star(m_balance);
-    for(int v = 0; v < m_patch.number_of_vertices(); ++v) {
+    for(Eigen::Index v = 0; v < uv.rows(); ++v) {
       if(!is_free(v, 0) && !is_free(v, 1))
         continue;
       star.clear(uv.row(v));
       for(int i = m_first[v]; i < m_first[v + 1]; ++i) {
         const Corner& corner = m_corners[i];
-        const auto& t = m_patch.triangles[corner.triangle];
-        star.add(corner.shape, uv.row(t[(corner.index + 1) % 3]), uv.row(t[(corner.index + 2) % 3]));
+        star.add(corner.shape, uv.row(corner.q), uv.row(corner.r));
       }
       Eigen::RowVector2d p = uv.row(v);
       if(star.improve(p, {is_free(v, 0), is_free(v, 1)}))
@@ -53,11 +54,10 @@ public:
 private:
   struct Corner
   {
-    int triangle, index;
+    int q, r; // the next two corners of the triangle
     Corner_shape shape;
   };
 
-  const Patch& m_patch;
   double m_balance;
   std::vector<int> m_first;      // #V + 1: the corners at vertex v are first[v], ..., first[v + 1] - 1
   std::vector<Corner> m_corners; // 3 #F

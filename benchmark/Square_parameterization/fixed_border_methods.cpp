@@ -3,9 +3,9 @@
 
 // benchmark/Square_parameterization/fixed_border_methods.cpp
 //
-// Compares the maps onto the square that CGAL's fixed-border parameterizers make with those of this package, in one run:
-// median seconds of the call, L2 and Linf stretch, and the faces that are clockwise or flat by exact arithmetic. All start
-// at the border vertex of lowest index. CGAL's square maps are mirrored: their mirror image is measured.
+// Compares the maps onto the square that CGAL's fixed-border parameterizers make with those of this package, in one
+// run: median seconds of the call, L2 and Linf stretch, and the faces that are clockwise or flat by exact arithmetic.
+// All start at the border vertex of lowest index. CGAL's square maps are mirrored: their mirror image is measured.
 //
 //   fixed_border_methods build/data/meshes/lion-head.off build/data/meshes/nefertiti.off --repetitions 5 --csv times.csv
 

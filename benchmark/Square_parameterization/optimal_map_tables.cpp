@@ -11,7 +11,7 @@
 
 #include "include/paper_tables/generated_meshes.h"
 
-#include "../../examples/Square_parameterization/include/square_map/Command_line.h"
+#include "../../examples/Square_parameterization/include/square_map/option_values.h"
 #include "../../examples/Square_parameterization/include/square_map/read_surface.h"
 
 #include <Eigen/SVD>

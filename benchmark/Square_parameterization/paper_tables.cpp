@@ -12,8 +12,12 @@
 #include "include/paper_tables/figures.h"
 #include "include/paper_tables/generated_meshes.h"
 
-#include "../../examples/Square_parameterization/include/square_map/Command_line.h"
+#include "../../examples/Square_parameterization/include/square_map/option_values.h"
+#include "../../examples/Square_parameterization/include/square_map/read_surface.h"
 
+#include <boost/program_options.hpp>
+
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>

@@ -35,10 +35,9 @@ Eigen::Matrix<double, 3, 2> hat_gradients(const Flat_triangle& shape)
   return gradients;
 }
 
-/// the second derivatives of f(K) = |K|^2 / J^2 + b |K|^2, J = det K with derivative C, by the entries 00, 01, 10, 11 of K;
-/// along A and B they are
-/// 2 (1/J^2 + b) <A,B> - 4/J^3 (<K,A><C,B> + <C,A><K,B>) + 6 |K|^2/J^4 <C,A><C,B> - 2 |K|^2/J^3 <A, cof B>.
-/// Adds `shift` times those of J.
+/// the second derivatives of f(K) = |K|^2 / J^2 + b |K|^2, J = det K with derivative C, by the entries 00, 01, 10, 11
+/// of K; along A and B they are 2 (1/J^2 + b) <A,B> - 4/J^3 (<K,A><C,B> + <C,A><K,B>) + 6 |K|^2/J^4 <C,A><C,B> - 2
+/// |K|^2/J^3 <A, cof B>. Adds `shift` times those of J.
 Eigen::Matrix4d jacobian_hessian(const Eigen::Matrix2d& K, double balance, double shift)
 {
   const auto inner = [](const Eigen::Matrix2d& M, const Eigen::Matrix2d& N) { return M.cwiseProduct(N).sum(); };

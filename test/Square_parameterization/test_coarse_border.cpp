@@ -16,8 +16,8 @@ using namespace CGAL_ext::internal;
 
 namespace {
 
-/// a flat square of concentric rings, each with half as many vertices as the one around it: half of them are border. The
-/// first border vertex is the corner (0, 0).
+/// a flat square of concentric rings, each with half as many vertices as the one around it: half of them are border.
+/// The first border vertex is the corner (0, 0).
 Patch square_of_rings(int border_vertices)
 {
   Flat_mesh mesh;

@@ -21,13 +21,13 @@ enum class Border_motion
 ///
 /// the minimization of the balanced energy with its numbers.
 ///
-/// Scaled to the area of the square, a face whose map into the square has the singular values \f$ s_1, s_2 \f$ contributes
-/// its area times \f$ 1/s_1^2 + 1/s_2^2 + b (s_1^2 + s_2^2) \f$, with the balance \f$ b \f$: twice the squared L2 stretch,
-/// and a share of its inverse. The L2 stretch alone does not see magnification: its minimum blows strips of triangles up a
-/// hundredfold. A little balance removes that at little cost in L2.
+/// Scaled to the area of the square, a face whose map into the square has the singular values \f$ s_1, s_2 \f$
+/// contributes its area times \f$ 1/s_1^2 + 1/s_2^2 + b (s_1^2 + s_2^2) \f$, with the balance \f$ b \f$: twice the
+/// squared L2 stretch, and a share of its inverse. The L2 stretch alone does not see magnification: its minimum blows
+/// strips of triangles up a hundredfold. A little balance removes that at little cost in L2.
 ///
-/// The map is computed from coarse to fine: on a sequence of meshes of which each has half the vertices of the next, L-BFGS
-/// with the blocks of the projected Hessian as preconditioner, and sweeps over the vertices.
+/// The map is computed from coarse to fine: on a sequence of meshes of which each has half the vertices of the next,
+/// L-BFGS with the blocks of the projected Hessian as preconditioner, and sweeps over the vertices.
 struct Balanced_minimization
 {
   double balance = 0.3; ///< dimensionless, in [0, 1]: 0 is pure L2 stretch, 1 the symmetric Dirichlet energy

@@ -19,13 +19,13 @@ namespace CGAL_ext {
 /// is sampled again, until no valley promises less than the best candidate known. On a curve with several valleys the
 /// largest gaps are sampled, too. Maps start from those of their neighbors.
 ///
-/// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched first: 32 even samples, then
-/// about as many between the best of them and its neighbors, and so on. The candidate with the best sketch and the two on
-/// either side are then mapped, and it goes on downhill from the best.
+/// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched first: 32 even samples,
+/// then about as many between the best of them and its neighbors, and so on. The candidate with the best sketch and the
+/// two on either side are then mapped, and it goes on downhill from the best.
 ///
-/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor of
-/// 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the balanced
-/// energy is on most meshes.
+/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
+/// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the
+/// balanced energy is on most meshes.
 /// \cgalModels `CornerSearch`
 class Bracketing_corner_search
 {
@@ -56,7 +56,8 @@ private:
       ring.start_from_neighbors();
     }
 
-    /// evaluates those of the candidates that are unknown, in order, as far as the bound allows; false when there are none
+    /// evaluates those of the candidates that are unknown, in order, as far as the bound allows; false when there are
+    /// none
     bool evaluate(const std::set<int>& candidates)
     {
       std::vector<int> batch;
@@ -85,8 +86,8 @@ private:
     }
   }
 
-  /// evaluates a candidate and the next two on either side, and then the neighbors of the best as long as these are lower;
-  /// false when there is no map
+  /// evaluates a candidate and the next two on either side, and then the neighbors of the best as long as these are
+  /// lower; false when there is no map
   static bool go_downhill(int candidate, Samples& samples)
   {
     const internal::Candidate_ring& ring = samples.ring;
@@ -103,8 +104,8 @@ private:
     return false;
   }
 
-  /// the best candidate of a coarser mesh: of even samples, and ever finer ones round the best; none when there is no such
-  /// mesh or it has no map
+  /// the best candidate of a coarser mesh: of even samples, and ever finer ones round the best; none when there is no
+  /// such mesh or it has no map
   static std::optional<int> best_sketch(const Corner_search_problem& problem)
   {
     constexpr int SAMPLES = 32;
@@ -209,8 +210,8 @@ private:
     return found;
   }
 
-  /// one new sample on each side of the middle: at the bottom of the parabola on its side, unless that is all but in the
-  /// middle; else next to the middle
+  /// one new sample on each side of the middle: at the bottom of the parabola on its side, unless that is all but in
+  /// the middle; else next to the middle
   static std::set<int> next_samples(const Valley& valley, const internal::Candidate_ring& ring)
   {
     constexpr double NEAR_MIDDLE = 0.75; // candidates

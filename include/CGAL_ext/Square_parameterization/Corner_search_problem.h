@@ -22,8 +22,8 @@ struct Corner_search_problem
   std::function<std::vector<double>(const std::vector<int>&)> stretch_of;
 
   /// as `stretch_of`, but each map starts from that of the nearest candidate evaluated by an earlier call, where the
-  /// minimizer can: neighbors then end in the same local minimum. The stretch of a candidate may depend, a little, on the
-  /// calls before; not on the number of threads. May be empty.
+  /// minimizer can: neighbors then end in the same local minimum. The stretch of a candidate may depend, a little, on
+  /// the calls before; not on the number of threads. May be empty.
   std::function<std::vector<double>(const std::vector<int>&)> stretch_from_neighbors;
 
   /// the stretch of the given candidates on a coarser mesh, concurrently: a fraction of the cost, comparable among such

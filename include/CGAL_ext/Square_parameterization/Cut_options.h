@@ -35,10 +35,10 @@ struct Cut_options
   /// `BEST`: balance of the energy by which cuts are judged: see `Balanced_minimization`
   double balance = 0.3;
 
-  /// `BEST`: whether a disk is cut, too, where the L2 stretch falls by more than the weighted length of the cut, as it does
-  /// on a closed surface with a small hole. Both sides of the cut then lie on the border of the square, too. Cuts are judged
-  /// by the least balanced energy with a sliding border and searched corners, whatever map is made afterwards. Without
-  /// meaning where seams are given.
+  /// `BEST`: whether a disk is cut, too, where the L2 stretch falls by more than the weighted length of the cut, as it
+  /// does on a closed surface with a small hole. Both sides of the cut then lie on the border of the square, too. Cuts
+  /// are judged by the least balanced energy with a sliding border and searched corners, whatever map is made
+  /// afterwards. Without meaning where seams are given.
   bool cuts_disk = false;
 
   unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number

@@ -40,8 +40,8 @@ struct Square_map_result
   Minimization_report minimization;       ///< iterations of the delivered map
   Stretch_measures measures;              ///< of the delivered map
   std::size_t border_edges = 0;           ///< number of edges of the border
-  /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as 1e-4
-  /// sqrt(area); the measures take them as they are.
+  /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as
+  /// 1e-4 sqrt(area); the measures take them as they are.
   std::size_t degenerate_faces = 0;
   double cut_seconds = 0;       ///< deciding on the cut, and cutting
   double condition_seconds = 0; ///< splitting chords, reading the mesh and the first factorization

@@ -22,9 +22,9 @@ struct Square_search_options
                                       ///< large (1 to 3 kB a vertex); the result is the same for any number
   Search_visitor* visitor = nullptr;  ///< is told of the progress and of the result; may be null
 
-  /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], and before each sketch,
-  /// with 0. When it returns `false` the search stops within one evaluation per thread and the best candidate so far is
-  /// delivered, marked as cancelled.
+  /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], and before each
+  /// sketch, with 0. When it returns `false` the search stops within one evaluation per thread and the best candidate
+  /// so far is delivered, marked as cancelled.
   std::function<bool(double)> callback;
 };
 

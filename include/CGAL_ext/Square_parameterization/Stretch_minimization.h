@@ -21,8 +21,8 @@ struct Stretch_minimization
   std::function<internal::Edge_weights(const internal::Patch&)> weights = Blended_weights();
 
   /// exponent of the stretch by which weights are divided; dimensionless, in ]0, 1]; 1 is the paper's. The first
-  /// iterations take 0.7, 0.49, ... where `eta` is less. The smaller, the more iterations and, by 0 to 1 %, the lower the
-  /// stretch.
+  /// iterations take 0.7, 0.49, ... where `eta` is less. The smaller, the more iterations and, by 0 to 1 %, the lower
+  /// the stretch.
   double eta = 0.3;
 
   /// number of iterates in a row that may fail to be lower before the iteration stops; 0 is the paper's rule

@@ -22,10 +22,10 @@ namespace CGAL_ext {
 ///
 /// The interior is first mapped by convex combinations with the base weights; then, again and again, the stretch
 /// \f$ \sigma_j \f$ of every vertex is measured (Sander et al. \cgalCite{cgal:ssgh-tmpm-01}), the weight of every
-/// neighbor \f$ j \f$ is divided by \f$ \sigma_j^\eta \f$, and the system is solved anew. The iterate of least stretch is
-/// kept. It deviates from the paper in its defaults: `eta` is 0.3, not 1, after first exponents of 0.7, 0.49 and 0.343,
-/// and one iterate may fail to be lower. These defaults, and the blended weights, were chosen by measurement; the manual
-/// has the table.
+/// neighbor \f$ j \f$ is divided by \f$ \sigma_j^\eta \f$, and the system is solved anew. The iterate of least stretch
+/// is kept. It deviates from the paper in its defaults: `eta` is 0.3, not 1, after first exponents of 0.7, 0.49 and
+/// 0.343, and one iterate may fail to be lower. These defaults, and the blended weights, were chosen by measurement;
+/// the manual has the table.
 ///
 /// With positive base weights the map is one-to-one, unless an interior edge has both ends on one side of the square
 /// (`split_chords()` removes these); with `Harmonic_weights` a one-to-one map is *not* guaranteed. The result is

@@ -31,8 +31,8 @@ namespace CGAL_ext {
 /// `parameterize()` returns what `Stretch_minimizing_parameterizer_3` returns; `ERROR_WRONG_PARAMETER` when the balance
 /// or a tolerance is out of range.
 ///
-/// Complexity: about linear but for two sparse Cholesky factorizations per eight steps, about \f$ V^{1.5} \f$ operations
-/// each; the sequence of coarser meshes and the symbolic analysis are made once.
+/// Complexity: about linear but for two sparse Cholesky factorizations per eight steps, about \f$ V^{1.5} \f$
+/// operations each; the sequence of coarser meshes and the symbolic analysis are made once.
 ///
 /// \cgalModels `Parameterizer_3`
 ///

@@ -25,7 +25,8 @@ enum class Chords
 
 namespace internal {
 
-/// splits the chords between border vertices as two predicates tell them, of vertices and of edges; returns the midpoints
+/// splits the chords between border vertices as two predicates tell them, of vertices and of edges; returns the
+/// midpoints
 template <class TriangleMesh, class VertexPointMap, class Is_border_vertex, class Is_border_edge>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which, Is_border_vertex is_border_vertex,

@@ -27,9 +27,9 @@ private:
   std::size_t m_size, m_next = 0;
 };
 
-/// a small surface that bytes describe: a tetrahedron, a sheet, a torus, or a sheet and a tetrahedron; then vertices are
-/// put into faces, edges flipped, holes and handles made, faces turned round, vertices moved near or onto others; then
-/// all is scaled, flattened or moved, and faces are joined to polygons
+/// a small surface that bytes describe: a tetrahedron, a sheet, a torus, or a sheet and a tetrahedron; then vertices
+/// are put into faces, edges flipped, holes and handles made, faces turned round, vertices moved near or onto others;
+/// then all is scaled, flattened or moved, and faces are joined to polygons
 class Soup_of_bytes
 {
 public:

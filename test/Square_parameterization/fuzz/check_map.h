@@ -60,8 +60,8 @@ inline void check_disk(const Fuzz_mesh& mesh)
          "the cut surface is no disk");
 }
 
-/// throws unless the cut surface is the uncut one with vertices copied and edges split, as the report says, and no given
-/// seam is left in one piece
+/// throws unless the cut surface is the uncut one with vertices copied and edges split, as the report says, and no
+/// given seam is left in one piece
 inline void check_cut(const Fuzz_mesh& uncut, const std::vector<std::array<std::size_t, 2>>& seams,
                       const Fuzz_mesh& cut, const CGAL_ext::Square_map_result<Fuzz_mesh>& result)
 {

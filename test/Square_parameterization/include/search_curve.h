@@ -32,7 +32,8 @@ inline Stretch_curve valley(int n, int bottom)
   return curve;
 }
 
-/// a worker for `Candidate_evaluation` that reads the stretch from the curve; the map it makes has the candidate as its uv
+/// a worker for `Candidate_evaluation` that reads the stretch from the curve; the map it makes has the candidate as its
+/// uv
 inline CGAL_ext::internal::Candidate_evaluation::Worker worker_of(const Stretch_curve& curve)
 {
   return [&curve](int candidate, const CGAL_ext::internal::Uv_coordinates*) {

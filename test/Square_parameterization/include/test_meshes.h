@@ -14,7 +14,8 @@
 #include <random>
 #include <vector>
 
-/// a disk: points, triangles (counter-clockwise) and the border vertices, counter-clockwise from the one of lowest index
+/// a disk: points, triangles (counter-clockwise) and the border vertices, counter-clockwise from the one of lowest
+/// index
 struct Flat_mesh
 {
   std::vector<Eigen::Vector3d> points;
@@ -136,8 +137,8 @@ inline Flat_mesh spiral(int n = 80, unsigned int seed = 5)
   });
 }
 
-/// a disk of rings around a centre, vertex 0; `f` takes the distance from the centre, in [0, 1], and the angle. Both are
-/// jittered, the distance of the border is not.
+/// a disk of rings around a centre, vertex 0; `f` takes the distance from the centre, in [0, 1], and the angle. Both
+/// are jittered, the distance of the border is not.
 template <class Function>
 Flat_mesh polar_disk(int rings, int sectors, unsigned int seed, Function f)
 {

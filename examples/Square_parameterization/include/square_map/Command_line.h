@@ -4,137 +4,59 @@
 #ifndef SQUARE_MAP_COMMAND_LINE_H
 #define SQUARE_MAP_COMMAND_LINE_H
 
-#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
-#include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
-#include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
-#include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
-#include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
-#include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
-
+#include "option_list.h"
 #include "write_map.h"
 
-#include <boost/program_options.hpp>
-
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <functional>
-#include <map>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace square_map {
 
-/// a command line that makes no sense
-struct Usage_error : std::runtime_error
+/// reads the options, with the input file; the help text, too
+inline void read_options(int argc, char** argv, Given_options& given, Command_line& line)
 {
-  using std::runtime_error::runtime_error;
-};
+  namespace po = boost::program_options;
+  const po::options_description visible = option_list(given, line);
+  std::ostringstream help;
+  help << "usage: square_map INPUT [options]\n"
+          "maps a triangle mesh (OFF, OBJ, PLY, STL), cut where it must be, onto the unit square with little stretch\n"
+       << visible
+       << "exit status: 0 done; 2 bad command line; 3 unreadable or malformed file; 4 the surface cannot be mapped;\n"
+          "5 no one-to-one map was found\n";
+  line.help = help.str();
 
-/// what the user asked for
-struct Command_line
-{
-  bool wants_help = false;
-  std::string help;
-  std::string input, output, json, seams;
-  std::string strategy, minimizer = "optimal";
-  std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
-  bool is_quiet = false;
-  CGAL_ext::Square_map_options options;
-  CGAL_ext::internal::Conditioning_options conditioning_options;
-};
-
-/// the value that a name stands for, or a usage error that lists the names
-template <class Value>
-const Value& named(const std::map<std::string, Value>& values, const std::string& option, const std::string& name)
-{
-  const auto found = values.find(name);
-  if(found != values.end())
-    return found->second;
-  std::string names;
-  for(const auto& value : values)
-    names += (names.empty() ? "" : ", ") + value.first;
-  throw Usage_error("--" + option + " is one of: " + names + "; not '" + name + "'");
+  po::options_description all;
+  all.add(visible).add_options()("input", po::value(&line.input));
+  try {
+    po::store(po::command_line_parser(argc, argv)
+                  .options(all)
+                  .positional(po::positional_options_description().add("input", 1))
+                  .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
+                  .run(),
+              given.all);
+    po::notify(given.all);
+  } catch(const po::error& error) {
+    throw Usage_error(error.what());
+  }
+  line.wants_help = given.has("help");
 }
 
-/// the tuning numbers of the strategies; 0 stands for the formula of the paper
-struct Tuning
+inline void check_options(const Given_options& given, const Command_line& line)
 {
-  int step = 0, interval = 0, seed = 0;
-};
-
-inline std::map<std::string, CGAL_ext::Corner_search> strategies(const Tuning& tuning)
-{
-  return {{"none", CGAL_ext::First_candidate_corner_search()},
-          {"brute-force", CGAL_ext::Brute_force_corner_search()},
-          {"quarter-brute-force", CGAL_ext::Quarter_brute_force_corner_search()},
-          {"particle-swarm", CGAL_ext::Particle_swarm_corner_search(0, 20, 3, static_cast<unsigned int>(tuning.seed))},
-          {"step-sampling", CGAL_ext::Step_sampling_corner_search(tuning.step)},
-          {"single-highest", CGAL_ext::Single_highest_corner_search()},
-          {"many-high", CGAL_ext::Many_high_corner_search()},
-          {"better-of-two", CGAL_ext::Better_of_two_corner_search()},
-          {"bracketing", CGAL_ext::Bracketing_corner_search()},
-          {"hybrid", CGAL_ext::Hybrid_corner_search(tuning.interval)}};
+  if(line.input.empty())
+    throw Usage_error("no input file is given");
+  for(const char* number : {"threads", "patience", "step", "interval", "seed"})
+    if(given.has(number) && (given.all[number].as<int>() < 0 || given.all[number].as<int>() > 1000000))
+      throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
+  for(const char* file : {"output", "json", "seams"})
+    if(given.has(file) && given.all[file].as<std::string>().empty())
+      throw Usage_error(std::string("--") + file + " needs the name of a file");
 }
 
-typedef std::function<CGAL_ext::internal::Edge_weights(const CGAL_ext::internal::Patch&)> Weights;
-
-inline const std::map<std::string, Weights>& weights()
-{
-  using CGAL_ext::Shape_preserving_weights;
-  static const std::map<std::string, Weights> result{
-      {"blended", CGAL_ext::Blended_weights()},
-      {"shape-preserving", Shape_preserving_weights()},
-      {"shape-preserving-plain", Shape_preserving_weights(Shape_preserving_weights::Average::PLAIN)},
-      {"mean-value", CGAL_ext::Mean_value_weights()},
-      {"symmetric-mean-value", CGAL_ext::Symmetric_mean_value_weights()},
-      {"uniform", CGAL_ext::Uniform_weights()},
-      {"clamped-cotangent", CGAL_ext::Clamped_cotangent_weights()},
-      {"harmonic", CGAL_ext::Harmonic_weights()}};
-  return result;
-}
-
-/// the settings that reproduce the tables of the paper
-inline void apply_paper_preset(CGAL_ext::Square_map_options& options)
-{
-  options.minimization.weights = CGAL_ext::Shape_preserving_weights();
-  options.minimization.eta = 1;
-  options.minimization.patience = 0;
-  options.search_options.corner_rule = CGAL_ext::Corner_rule::AUTHOR;
-  options.chords = CGAL_ext::Chords::EARS;
-}
-
-/// four vertex numbers separated by commas
-inline std::array<std::size_t, 4> parse_corners(const std::string& text)
-{
-  std::array<std::size_t, 4> corners{};
-  std::istringstream stream(text);
-  char comma = ',';
-  for(int k = 0; k < 4; ++k)
-    if((k > 0 && !(stream >> comma)) || comma != ',' || !std::isdigit(stream.peek()) || !(stream >> corners[k]))
-      throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
-  if(!(stream >> std::ws).eof())
-    throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
-  return corners;
-}
-
-/// the number of a component, by size: a number from 0, or the word largest
-inline std::size_t parse_component(const std::string& text)
-{
-  if(text == "largest")
-    return 0;
-  std::istringstream stream(text);
-  std::size_t component = 0;
-  if(!std::isdigit(stream.peek()) || !(stream >> component) || stream.peek() != EOF)
-    throw Usage_error("--component is 'largest' or a number counted from 0; not '" + text + "'");
-  return component;
-}
-
-inline void check_outputs(const Command_line& line)
+/// checks the names of the files: the output has a known extension, and no file is named twice
+inline void check_files(const Command_line& line)
 {
   namespace fs = std::filesystem;
   if(!line.output.empty()) {
@@ -154,164 +76,110 @@ inline void check_outputs(const Command_line& line)
     }
 }
 
-/// reads the command line; throws `Usage_error`
-inline Command_line parse_command_line(int argc, char** argv)
+/// how a map is minimised: the preset, and what is given beside it
+inline void set_minimizer(const Given_options& given, Command_line& line)
 {
-  namespace po = boost::program_options;
-  Command_line line;
-  std::string weights_name, rule, walk, preset, corners, border, cut, component;
-  double eta = 0, balance = 0;
-  int patience = 0, threads = 0;
-  Tuning tuning;
-  po::options_description visible("options");
-  auto add = visible.add_options();
-  add("help,h", "show this text");
-  add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
-  add("strategy", po::value(&line.strategy)->value_name("NAME"),
-      "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
-      "quarter-brute-force, particle-swarm, step-sampling, single-highest, many-high, better-of-two, none");
-  add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
-      "optimal (default): least balanced energy; iterative: Yoshizawa et al.");
-  add("balance", po::value(&balance)->value_name("X"),
-      "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
-  add("border", po::value(&border)->value_name("NAME"),
-      "fixed or sliding; default fixed for iterative, sliding for optimal");
-  add("component", po::value(&component)->value_name("K"),
-      "map one connected component: largest, or a number; 0 has most faces, ties go to the first face");
-  add("triangulate", po::bool_switch(&line.conditioning_options.triangulate), "split faces that are no triangles");
-  add("cut", po::value(&cut)->value_name("NAME"),
-      "how a surface that is not a disk is cut: best (default): for little stretch; shortest; none: it is refused");
-  add("cut-weight", po::value(&line.options.cut.cut_weight)->value_name("X"),
-      "best: stretch that a cut of the length sqrt(area) must save; default 0.05");
-  add("max-cut-length", po::value(&line.options.cut.max_cut_length)->value_name("X"),
-      "best: length, in units of sqrt(area), beyond which a cut is not extended");
-  add("cut-disk", po::bool_switch(&line.options.cut.cuts_disk),
-      "best: cut a disk, too, where L2 falls by more than --cut-weight times the length of the cut");
-  add("seams", po::value(&line.seams)->value_name("FILE"),
-      "edges to cut along, two vertex numbers a line, counted from 0; what they lack is added");
-  add("weights", po::value(&weights_name)->value_name("NAME"),
-      "of the iteration, which is the start of optimal: blended (default), shape-preserving, shape-preserving-plain, "
-      "mean-value, symmetric-mean-value, uniform, "
-      "clamped-cotangent, harmonic");
-  add("corner-rule", po::value(&rule)->value_name("NAME"), "where sides end: nearest (default), author");
-  add("walk", po::value(&walk)->value_name("NAME"),
-      "direction in which candidates are counted: counter-clockwise (default), clockwise");
-  add("preset", po::value(&preset)->value_name("NAME"), "paper: the settings of the published tables");
-  add("step", po::value(&tuning.step)->value_name("N"),
-      "step-sampling: distance between samples; 0 (default): sqrt(V m / F)");
-  add("interval", po::value(&tuning.interval)->value_name("N"), "hybrid: stride; 0 (default): the step less one");
-  add("seed", po::value(&tuning.seed)->value_name("N"), "particle-swarm: seed; default 0");
-  add("eta", po::value(&eta)->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
-  add("patience", po::value(&patience)->value_name("N"), "iterates that may fail to be lower; default 1");
-  add("threads", po::value(&threads)->value_name("N"), "threads; 0 (default) for all cores, fewer on large surfaces");
-  add("corners", po::value(&corners)->value_name("a,b,c,d"),
-      "four border vertices, counter-clockwise, counted from 0: no search");
-  add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");
-  add("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
-  po::options_description all;
-  all.add(visible).add_options()("input", po::value(&line.input));
-  std::ostringstream help;
-  help << "usage: square_map INPUT [options]\n"
-          "maps a triangle mesh (OFF, OBJ, PLY, STL), cut where it must be, onto the unit square with little stretch\n"
-       << visible
-       << "exit status: 0 done; 2 bad command line; 3 unreadable or malformed file; 4 the surface cannot be mapped;\n"
-          "5 no one-to-one map was found\n";
-  line.help = help.str();
-
-  po::variables_map given;
-  try {
-    po::store(po::command_line_parser(argc, argv)
-                  .options(all)
-                  .positional(po::positional_options_description().add("input", 1))
-                  .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
-                  .run(),
-              given);
-    po::notify(given);
-  } catch(const po::error& error) {
-    throw Usage_error(error.what());
-  }
-  line.wants_help = given.count("help") != 0;
-  if(line.wants_help)
-    return line;
-  if(line.input.empty())
-    throw Usage_error("no input file is given");
-  const auto is_given = [&given](const char* option) { return given.count(option) != 0; };
-  for(const char* number : {"threads", "patience", "step", "interval", "seed"})
-    if(is_given(number) && (given[number].as<int>() < 0 || given[number].as<int>() > 1000000))
-      throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
-  for(const char* file : {"output", "json", "seams"})
-    if(is_given(file) && given[file].as<std::string>().empty())
-      throw Usage_error(std::string("--") + file + " needs the name of a file");
-
   CGAL_ext::Square_map_options& options = line.options;
-  if(is_given("preset")) {
-    named<bool>({{"paper", true}}, "preset", preset);
+  if(given.has("preset")) {
+    named<bool>({{"paper", true}}, "preset", given.preset);
     apply_paper_preset(options);
-    if(!is_given("minimizer"))
+    if(!given.has("minimizer"))
       line.minimizer = "iterative";
   }
-  using CGAL_ext::Border_motion;
   if(!named<bool>({{"iterative", false}, {"optimal", true}}, "minimizer", line.minimizer))
     options.balanced.reset();
-  if(!is_given("strategy"))
-    line.strategy = options.balanced ? "bracketing" : "hybrid";
-  if(is_given("balance")) {
+  if(given.has("balance")) {
     if(!options.balanced)
       throw Usage_error("--balance goes with --minimizer optimal");
-    if(!(balance >= 0 && balance <= 1))
+    if(!(given.balance >= 0 && given.balance <= 1))
       throw Usage_error("--balance must be from 0 to 1");
-    options.balanced->balance = balance;
+    options.balanced->balance = given.balance;
   }
-  if(is_given("border")) {
-    const Border_motion motion =
-        named<Border_motion>({{"fixed", Border_motion::FIXED}, {"sliding", Border_motion::SLIDING}}, "border", border);
+  if(given.has("border")) {
+    using CGAL_ext::Border_motion;
+    const Border_motion motion = named<Border_motion>(
+        {{"fixed", Border_motion::FIXED}, {"sliding", Border_motion::SLIDING}}, "border", given.border);
     if(options.balanced)
       options.balanced->border = motion;
     else if(motion == Border_motion::SLIDING)
       throw Usage_error("--border sliding goes with --minimizer optimal");
   }
-  if(is_given("component"))
-    line.conditioning_options.component = parse_component(component);
-  if(is_given("cut")) {
-    using CGAL_ext::Cut_mode;
-    line.options.cut.mode = named<Cut_mode>(
-        {{"none", Cut_mode::NONE}, {"shortest", Cut_mode::SHORTEST}, {"best", Cut_mode::BEST}}, "cut", cut);
+}
+
+/// the iteration, which is the start of the other minimizer, too; the number of iterations of a start is its own
+inline void set_iteration(const Given_options& given, CGAL_ext::Square_map_options& options)
+{
+  CGAL_ext::Stretch_minimization& iteration = options.minimization;
+  if(given.has("weights"))
+    iteration.weights = named(weights(), "weights", given.weights);
+  if(given.has("eta")) {
+    if(!(given.eta > 0 && given.eta <= 1))
+      throw Usage_error("--eta must be above 0 and at most 1");
+    iteration.eta = given.eta;
   }
-  if(line.options.cut.mode != CGAL_ext::Cut_mode::NONE || !line.seams.empty())
+  if(given.has("patience"))
+    iteration.patience = given.patience;
+  if(options.balanced) {
+    options.balanced->start.weights = iteration.weights;
+    options.balanced->start.eta = iteration.eta;
+    options.balanced->start.patience = iteration.patience;
+  }
+}
+
+/// what is mapped, and how it is cut
+inline void set_surface(const Given_options& given, Command_line& line)
+{
+  using CGAL_ext::Cut_mode;
+  CGAL_ext::Cut_options& cut = line.options.cut;
+  if(given.has("component"))
+    line.conditioning_options.component = parse_component(given.component);
+  if(given.has("cut"))
+    cut.mode = named<Cut_mode>({{"none", Cut_mode::NONE}, {"shortest", Cut_mode::SHORTEST}, {"best", Cut_mode::BEST}},
+                               "cut", given.cut);
+  if(cut.mode != Cut_mode::NONE || !line.seams.empty())
     line.conditioning_options.topology = CGAL_ext::internal::Topology::CONNECTED;
-  if(!line.options.cut.is_valid())
+  if(!cut.is_valid())
     throw Usage_error("--cut-weight and --max-cut-length must not be negative");
-  if(line.options.cut.cuts_disk && (!line.options.cut.may_cut_disk() || !line.seams.empty()))
+  if(cut.cuts_disk && (!cut.may_cut_disk() || !line.seams.empty()))
     throw Usage_error("--cut-disk goes with --cut best, and without --seams");
-  options.search = named(strategies(tuning), "strategy", line.strategy);
-  if(is_given("weights"))
-    options.minimization.weights = named(weights(), "weights", weights_name);
+}
+
+/// how corners are searched
+inline void set_search(const Given_options& given, Command_line& line)
+{
   using CGAL_ext::Corner_rule;
   using CGAL_ext::Walk;
-  if(is_given("corner-rule"))
-    options.search_options.corner_rule =
-        named<Corner_rule>({{"author", Corner_rule::AUTHOR}, {"nearest", Corner_rule::NEAREST}}, "corner-rule", rule);
-  if(is_given("walk"))
-    options.search_options.walk =
-        named<Walk>({{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", walk);
-  if(is_given("eta")) {
-    if(!(eta > 0 && eta <= 1))
-      throw Usage_error("--eta must be above 0 and at most 1");
-    options.minimization.eta = eta;
-  }
-  if(is_given("patience"))
-    options.minimization.patience = patience;
-  if(options.balanced) { // the number of iterations of its start is its own
-    options.balanced->start.weights = options.minimization.weights;
-    options.balanced->start.eta = options.minimization.eta;
-    options.balanced->start.patience = options.minimization.patience;
-  }
-  options.search_options.number_of_threads = threads;
-  if(is_given("corners")) {
-    line.corners = options.corners = parse_corners(corners);
+  CGAL_ext::Square_map_options& options = line.options;
+  if(!given.has("strategy"))
+    line.strategy = options.balanced ? "bracketing" : "hybrid";
+  options.search = named(strategies(given.tuning), "strategy", line.strategy);
+  if(given.has("corner-rule"))
+    options.search_options.corner_rule = named<Corner_rule>(
+        {{"author", Corner_rule::AUTHOR}, {"nearest", Corner_rule::NEAREST}}, "corner-rule", given.corner_rule);
+  if(given.has("walk"))
+    options.search_options.walk = named<Walk>(
+        {{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", given.walk);
+  options.search_options.number_of_threads = given.threads;
+  if(given.has("corners")) {
+    line.corners = options.corners = parse_corners(given.corners);
     line.strategy = "none";
   }
-  check_outputs(line);
+}
+
+/// reads the command line; throws `Usage_error`
+inline Command_line parse_command_line(int argc, char** argv)
+{
+  Command_line line;
+  Given_options given;
+  read_options(argc, argv, given, line);
+  if(line.wants_help)
+    return line;
+  check_options(given, line);
+  set_minimizer(given, line);
+  set_iteration(given, line.options);
+  set_surface(given, line);
+  set_search(given, line);
+  check_files(line);
   return line;
 }
 

@@ -18,8 +18,9 @@
 namespace square_map {
 
 /// the text of an OFF file, its header without the letters for texture coordinates, colors and normals: CGAL's reader
-/// then takes three coordinates of a line and ignores what follows. With these letters it reads beyond a line that is too
-/// short, and takes texture coordinates from anywhere. Binary files stay as they are: there the letters tell the layout.
+/// then takes three coordinates of a line and ignores what follows. With these letters it reads beyond a line that is
+/// too short, and takes texture coordinates from anywhere. Binary files stay as they are: there the letters tell the
+/// layout.
 inline std::string without_attribute_letters(std::string text)
 {
   static const char* const WHITE_SPACE = " \t\n\v\f\r";

@@ -116,10 +116,9 @@ private:
   }
 
   const Patch& m_patch;
-  std::vector<int> m_rank; // #V: place in the elimination order
-  Sparse_matrix m_pattern; // upper triangle
-  std::vector<std::array<int, 6>>
-      m_slots; // #F: where the entries (k, k), and then (k, k + 1), of a triangle are stored
+  std::vector<int> m_rank;                 // #V: place in the elimination order
+  Sparse_matrix m_pattern;                 // upper triangle
+  std::vector<std::array<int, 6>> m_slots; // #F: places of the entries (k, k), and then (k, k + 1), of a triangle
 };
 
 } // namespace internal

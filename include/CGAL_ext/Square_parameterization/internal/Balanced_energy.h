@@ -17,9 +17,9 @@ namespace internal {
 ///
 ///     f(K) = 1/s1^2 + 1/s2^2 + b (s1^2 + s2^2) = |K|^2 / det(K)^2 + b |K|^2
 ///
-/// where K is the Jacobian of the map from the triangle's own plane to the uv plane and s1 >= s2 > 0 its singular values.
-/// b = 0 is twice the squared L2 stretch, b = 1 the symmetric Dirichlet energy. It is infinite when a triangle is not
-/// counter-clockwise.
+/// where K is the Jacobian of the map from the triangle's own plane to the uv plane and s1 >= s2 > 0 its singular
+/// values. b = 0 is twice the squared L2 stretch, b = 1 the symmetric Dirichlet energy. It is infinite when a triangle
+/// is not counter-clockwise.
 ///
 /// With D twice the uv area and N = |x1 db - x2 da|^2 + y2^2 |da|^2, da and db the uv edges from the first corner and
 /// (x1, 0), (x2, y2) the edges in the plane, |K|^2 = N / (4 A^2) and det K = D / (2 A): a triangle contributes
@@ -79,8 +79,8 @@ public:
     std::array<Eigen::Matrix3d, 2> of_axis;
   };
 
-  /// the blocks of the Hessian of triangle \p f, made positive semidefinite by clamping the negative of its eigenvalues,
-  /// which are known in closed form (Smith, de Goes, Kim 2019).
+  /// the blocks of the Hessian of triangle \p f, made positive semidefinite by clamping the negative of its
+  /// eigenvalues, which are known in closed form (Smith, de Goes, Kim 2019).
   ///
   /// The total signed area of a map with fixed border, or with a border that slides along the square, is constant, so
   /// any multiple of det(K) may be added: the objective and its gradient stay, and fewer eigenvalues need clamping.

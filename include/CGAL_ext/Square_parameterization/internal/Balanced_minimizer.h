@@ -28,8 +28,8 @@ struct Balanced_options
 /// minimises the balanced energy from a map without flips, and never leaves the maps without flips: L-BFGS with the
 /// blocks of the Hessian as preconditioner, and one sweep over the vertices after each step.
 ///
-/// A step goes at most nine tenths of the way to the first triangle without area; the line search halves. The sweep then
-/// mends the triangles that stood in the way, which would keep the next steps short, too.
+/// A step goes at most nine tenths of the way to the first triangle without area; the line search halves. The sweep
+/// then mends the triangles that stood in the way, which would keep the next steps short, too.
 class Balanced_minimizer
 {
 public:
@@ -109,8 +109,8 @@ public:
     return map;
   }
 
-  /// sweeps over a minimised map a few times: what is left in tiny triangles counts for nothing in the energy, but may be
-  /// the largest stretch of all
+  /// sweeps over a minimised map a few times: what is left in tiny triangles counts for nothing in the energy, but may
+  /// be the largest stretch of all
   void settle(Minimized_map& map) const
   {
     constexpr int SWEEPS = 5;

@@ -72,8 +72,8 @@ public:
     }
   }
 
-  /// how far the nearest known candidate is from the best one in direction 1 or -1; the size of the ring when there is no
-  /// other
+  /// how far the nearest known candidate is from the best one in direction 1 or -1; the size of the ring when there is
+  /// no other
   int distance_to_known(int direction) const
   {
     int distance = 1;

@@ -80,8 +80,8 @@ public:
 
   const Triangle_surface& surface() const { return m_surface; }
 
-  /// makes cuts by `make(cut)`, concurrently, and scores them. Returns them without those that were extended or moved and
-  /// are too long.
+  /// makes cuts by `make(cut)`, concurrently, and scores them. Returns them without those that were extended or moved
+  /// and are too long.
   template <class Make>
   std::vector<Scored_cut> operator()(std::vector<Scored_cut> cuts, const Make& make)
   {
@@ -123,8 +123,8 @@ public:
   /// what a score has cost. \pre there is one
   long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
 
-  /// good cuts of different lengths, the shortest first: the best of each of \p count equal ranges of length, unless its
-  /// score is far from the best
+  /// good cuts of different lengths, the shortest first: the best of each of \p count equal ranges of length, unless
+  /// its score is far from the best
   std::vector<Cut> selection(int count) const
   {
     constexpr double FAR = 1.05; // times the best score

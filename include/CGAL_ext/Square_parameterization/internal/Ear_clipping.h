@@ -83,8 +83,8 @@ private:
     return sum;
   }
 
-  /// the coordinates that remain when the polygon is seen along the axis nearest to its normal, in such an order that it
-  /// is counter-clockwise: no rounding, and what lies on a line stays there
+  /// the coordinates that remain when the polygon is seen along the axis nearest to its normal, in such an order that
+  /// it is counter-clockwise: no rounding, and what lies on a line stays there
   static std::array<int, 2> axes_across(const Eigen::Vector3d& normal)
   {
     int axis = 0;
@@ -93,8 +93,8 @@ private:
     return normal[axis] < 0 ? std::array<int, 2>{last, next} : std::array<int, 2>{next, last};
   }
 
-  /// how good an ear the i-th corner makes: in ]0, 1] by its shape, 1 when it is equilateral; at most -1 for one that is
-  /// not convex, or not empty
+  /// how good an ear the i-th corner makes: in ]0, 1] by its shape, 1 when it is equilateral; at most -1 for one that
+  /// is not convex, or not empty
   double score(std::size_t i) const
   {
     const std::size_t a = at(i + m_rest.size() - 1), b = at(i), c = at(i + 1);

@@ -73,8 +73,8 @@ Eigen::Vector3d point_of(VertexPointMap vpm, Vertex v)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-/// the lengths of the border edges along \p loop, which is the border of \p bhd, in units of the square root of the area
-/// of the component; see `border_lengths()` for short ones. Polygons count as fans of triangles.
+/// the lengths of the border edges along \p loop, which is the border of \p bhd, in units of the square root of the
+/// area of the component; see `border_lengths()` for short ones. Polygons count as fans of triangles.
 ///
 /// Throws `Unmappable` as `measured_patch()`. Complexity: linear.
 template <class TriangleMesh, class VertexPointMap>

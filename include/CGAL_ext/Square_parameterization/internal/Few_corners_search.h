@@ -9,9 +9,9 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// comes near the best candidate with eight maps at most: of four spread evenly over the ring, and then, twice, of those
-/// half way from the best to the known ones on either side. Enough to compare surfaces, where each has an error anyway.
-/// Deterministic.
+/// comes near the best candidate with eight maps at most: of four spread evenly over the ring, and then, twice, of
+/// those half way from the best to the known ones on either side. Enough to compare surfaces, where each has an error
+/// anyway. Deterministic.
 class Few_corners_search
 {
 public:

@@ -35,13 +35,14 @@ inline bool has_chord_on_a_side(const Patch& patch, const Uv_coordinates& border
 /// maps one patch onto the unit square for any border there: by the iteration of Yoshizawa et al., or by minimising the
 /// balanced energy.
 ///
-/// Constant after construction: each thread has a worker of its own. What is minimised is `Minimization_report::objective`.
+/// Constant after construction: each thread has a worker of its own. What is minimised is
+/// `Minimization_report::objective`.
 class Map_minimizer
 {
 public:
   /// maps for one border (#B by 2). The result has no uv, and an infinite objective, unless the map is one-to-one by
-  /// exact arithmetic. The minimizer of the balanced energy may start from the warm start of a map for a similar border;
-  /// null for none.
+  /// exact arithmetic. The minimizer of the balanced energy may start from the warm start of a map for a similar
+  /// border; null for none.
   typedef std::function<Minimized_map(const Uv_coordinates& border_uv, const Uv_coordinates* warm_start)> Worker;
 
   typedef Multilevel_minimizer::Iteration_factory Iteration_factory;
@@ -145,7 +146,8 @@ private:
                       : if_one_to_one(map_with_whole_border(border_uv)));
   }
 
-  /// what a coarse border has no room for, or would let slide, is mapped without. Without uv where the border is kept anyway
+  /// what a coarse border has no room for, or would let slide, is mapped without. Without uv where the border is kept
+  /// anyway
   Minimized_map map_with_whole_border(const Uv_coordinates& border_uv) const
   {
     if(m_balanced->keeps_border())

@@ -25,8 +25,9 @@ namespace internal {
 /// iteration of Yoshizawa et al.; then, patch by patch, minimises, puts vertices back, and smooths by sweeps.
 ///
 /// The first map of a patch with long protrusions or passages, as many holes and handles leave them, has triangles too
-/// tiny for floating-point numbers, and folded surfaces are not made coarse enough to avoid that. Then patches follow that
-/// do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a start.
+/// tiny for floating-point numbers, and folded surfaces are not made coarse enough to avoid that. Then patches follow
+/// that do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a
+/// start.
 ///
 /// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The patches do
 /// not depend on the places of the border vertices, and serve all maps.
@@ -65,8 +66,8 @@ public:
   /// flips was found to start from: for want of room, too, where the corners are close together and `keeps_border()` is
   /// false.
   /// \pre the border is on the unit square, or `keeps_border()`
-  /// \param warm_start of a map for a similar border, the map of one of the coarse patches; it saves the coarser ones. May
-  ///        be null.
+  /// \param warm_start of a map for a similar border, the map of one of the coarse patches; it saves the coarser ones.
+  ///        May be null.
   Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
                          const Uv_coordinates* warm_start = nullptr) const
   {
@@ -102,8 +103,8 @@ public:
     return vertices >= SMALLEST_SKETCHED && 4 * m_patches[m_sketch_level].number_of_vertices() <= vertices;
   }
 
-  /// the least energy of one of the coarse patches for the border \p border_uv, by which borders can be compared: what the
-  /// finer patches save is much the same for all. Without uv, and infinite when no map was found.
+  /// the least energy of one of the coarse patches for the border \p border_uv, by which borders can be compared: what
+  /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
   /// \pre `has_sketches()`
   Minimized_map sketch(const Uv_coordinates& border_uv, Workspace& workspace) const
   {
@@ -177,7 +178,8 @@ private:
     workspace.starts.resize(m_starts.size());
   }
 
-  /// a map of the patch of level \p to, from the first start that works well, or else at all; without rows when none does
+  /// a map of the patch of level \p to, from the first start that works well, or else at all; without rows when none
+  /// does
   Uv_coordinates start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
                        Descent& descent) const
   {

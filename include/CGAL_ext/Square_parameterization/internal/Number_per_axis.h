@@ -9,8 +9,9 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// a number for u and one for v. All arithmetic is done with both, so that as a scalar of Eigen it makes of two matrices
-/// with entries at the same places one: indices are read once, and both numbers are computed by the same instructions.
+/// a number for u and one for v. All arithmetic is done with both, so that as a scalar of Eigen it makes of two
+/// matrices with entries at the same places one: indices are read once, and both numbers are computed by the same
+/// instructions.
 class Number_per_axis
 {
 public:

@@ -20,8 +20,8 @@ namespace CGAL_ext {
 namespace internal {
 
 /// makes coarse patches: collapses interior vertices into interior neighbors, short edges first, wherever the surface
-/// stays a disk and, when it is to keep its shape, does not bend much and gets no sliver. All positions are kept, and so is
-/// the border, unless border vertices may be collapsed into their neighbors on the border, too; no chord is made.
+/// stays a disk and, when it is to keep its shape, does not bend much and gets no sliver. All positions are kept, and
+/// so is the border, unless border vertices may be collapsed into their neighbors on the border, too; no chord is made.
 class Patch_coarsener
 {
 public:

@@ -18,8 +18,8 @@ namespace internal {
 
 /// a patch and ever coarser ones, each with half the interior vertices of the one before it.
 ///
-/// The border stays. Only where it would soon be most of a large patch it is made coarse, too: the corners of the square are
-/// then stood for by other vertices, and a vertex that is put back slides from its neighbor into place.
+/// The border stays. Only where it would soon be most of a large patch it is made coarse, too: the corners of the
+/// square are then stood for by other vertices, and a vertex that is put back slides from its neighbor into place.
 class Patch_sequence
 {
 public:

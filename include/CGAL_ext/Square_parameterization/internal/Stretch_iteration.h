@@ -60,9 +60,9 @@ public:
   /// maps the interior for the border \p border_uv (#B by 2, convex, counter-clockwise).
   ///
   /// Solves with the base weights; then divides the weight of neighbor j by sigma_j^eta, sigma from the current map,
-  /// and solves again (see `exponent()`). Keeps the iterate of least stretch; stops after `patience` + 1 iterates in a row that are not
-  /// lower than it (Yoshizawa et al. stop at the first). Triangles that rounding has left flat or flipped in the first
-  /// map are repaired.
+  /// and solves again (see `exponent()`). Keeps the iterate of least stretch; stops after `patience` + 1 iterates in a
+  /// row that are not lower than it (Yoshizawa et al. stop at the first). Triangles that rounding has left flat or
+  /// flipped in the first map are repaired.
   /// \param uv_area area inside the border: the stretch is normalised by it
   Minimized_map minimize(const Uv_coordinates& border_uv, double uv_area, Workspace& workspace) const
   {
@@ -107,9 +107,9 @@ public:
   }
 
 private:
-  /// the exponent of an iteration: eta, but 0.7, 0.49, 0.343, ... at first where these are larger. The first maps are far
-  /// from their limit, and long steps save a quarter of the iterations without a higher limit. eta = 1 is the paper's
-  /// iteration unchanged.
+  /// the exponent of an iteration: eta, but 0.7, 0.49, 0.343, ... at first where these are larger. The first maps are
+  /// far from their limit, and long steps save a quarter of the iterations without a higher limit. eta = 1 is the
+  /// paper's iteration unchanged.
   double exponent(unsigned int iteration) const
   {
     constexpr double FIRST_EXPONENT = 0.7;

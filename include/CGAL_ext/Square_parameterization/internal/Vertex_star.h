@@ -37,8 +37,8 @@ inline Corner_shape corner_shape(const Flat_triangle& shape, int corner)
 /// alone.
 ///
 /// With the Jacobian K, J = det(K) and E = |K|^2 times its area, a triangle contributes E (1 / J^2 + b). When qr is the
-/// side opposite to p, J is linear in p, and E = c |p - foot|^2 + E0: c is the squared length of the side on the surface
-/// over four times the area, and the foot divides qr as the height of the triangle does there.
+/// side opposite to p, J is linear in p, and E = c |p - foot|^2 + E0: c is the squared length of the side on the
+/// surface over four times the area, and the foot divides qr as the height of the triangle does there.
 class Vertex_star
 {
 public:
@@ -154,8 +154,8 @@ private:
             (d.uv * d.gradient.x() - uu * d.gradient.y()) / determinant};
   }
 
-  /// the length of the step, from where the derivatives were taken, at which the first triangle loses its area; infinite
-  /// when none does
+  /// the length of the step, from where the derivatives were taken, at which the first triangle loses its area;
+  /// infinite when none does
   double largest_step(const Eigen::RowVector2d& step) const
   {
     double loss = 0; // of the area of a triangle, relative, in the whole step

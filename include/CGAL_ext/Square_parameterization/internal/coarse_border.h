@@ -21,9 +21,9 @@ struct Coarse_border
       removed_corners; ///< places in `Coarse_patch::removals` of vertices that were corners, ascending
 };
 
-/// the border of a coarse patch when that of the fine one is \p border_uv (#B by 2): the vertices keep their places, but for
-/// those that stand for a corner of the square that was removed, each for the one that was collapsed into it. None when two
-/// corners fall into one vertex.
+/// the border of a coarse patch when that of the fine one is \p border_uv (#B by 2): the vertices keep their places,
+/// but for those that stand for a corner of the square that was removed, each for the one that was collapsed into it.
+/// None when two corners fall into one vertex.
 inline std::optional<Coarse_border> coarse_border(const Patch& fine, const Coarse_patch& coarse,
                                                   const Uv_coordinates& border_uv)
 {

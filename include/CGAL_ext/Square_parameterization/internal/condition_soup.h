@@ -85,9 +85,9 @@ inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& repo
 }
 
 /// makes a soup one connected, manifold, oriented triangle surface: chooses a component and splits polygons where that
-/// is asked for, turns faces round, and drops isolated vertices. Throws `Unmappable` with a sentence that counts what is
-/// wrong and names the first places by their numbers in the given soup; with `ERROR_WRONG_PARAMETER` when there is no
-/// such component.
+/// is asked for, turns faces round, and drops isolated vertices. Throws `Unmappable` with a sentence that counts what
+/// is wrong and names the first places by their numbers in the given soup; with `ERROR_WRONG_PARAMETER` when there is
+/// no such component.
 /// \pre every index of a face is that of a point, every coordinate is finite
 inline Conditioning_report condition_soup(Surface_soup& soup, const Conditioning_options& options = {})
 {

@@ -31,8 +31,8 @@ typename boost::graph_traits<TriangleMesh>::halfedge_descriptor first_border_hal
   return boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
-/// indicates whether a connected mesh of triangles has one border and Euler characteristic 1; of other meshes the answer
-/// says nothing
+/// indicates whether a connected mesh of triangles has one border and Euler characteristic 1; of other meshes the
+/// answer says nothing
 template <class TriangleMesh>
 bool is_disk(const TriangleMesh& mesh)
 {

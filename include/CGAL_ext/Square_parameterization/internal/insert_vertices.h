@@ -127,8 +127,8 @@ private:
 };
 
 /// puts the vertices that a coarse patch left out back into its map, in the reverse order. That is always possible: the
-/// vertex that took the place of another saw the whole ring. A corner of the square that was left out gets its place back,
-/// and the vertex that stood there moves on.
+/// vertex that took the place of another saw the whole ring. A corner of the square that was left out gets its place
+/// back, and the vertex that stood there moves on.
 ///
 /// \param coarse_uv a map of \p coarse without flips
 /// \param removed_corners of the border of \p coarse: places in its removals, ascending

@@ -11,7 +11,8 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// indicates whether triangle \p to, \p a, \p b looks the same way as \p from, \p a, \p b and keeps a share of its shape
+/// indicates whether triangle \p to, \p a, \p b looks the same way as \p from, \p a, \p b and keeps a share of its
+/// shape
 inline bool is_good_replacement(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b, double least_shape_kept)
 {

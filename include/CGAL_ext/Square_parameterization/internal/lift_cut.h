@@ -29,12 +29,12 @@ inline int nearest_vertex(const Triangle_surface& surface, const Eigen::Vector3d
   return nearest;
 }
 
-/// a cut of \p surface like the cut \p simple of a simplified copy of it: the same terminals, and round the same handles
-/// and holes.
+/// a cut of \p surface like the cut \p simple of a simplified copy of it: the same terminals, and round the same
+/// handles and holes.
 ///
 /// The faces far from the simple cut are unfolded first, so that what remains to be cut lies near it; rerouting then
-/// straightens it, but stays near: another way may be shorter here, and leave more stretch than the cut that was chosen.
-/// The topology is right even where the two surfaces differ.
+/// straightens it, but stays near: another way may be shorter here, and leave more stretch than the cut that was
+/// chosen. The topology is right even where the two surfaces differ.
 inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const Triangle_surface& surface)
 {
   if(simple.edges().empty())

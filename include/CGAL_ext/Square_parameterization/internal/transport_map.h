@@ -15,7 +15,8 @@ namespace CGAL_ext {
 namespace internal {
 
 /// carries a map over to another border: solves the mean value equations that the map itself satisfies, with the new
-/// border. The weights are positive, so the result has no flips (Floater 2003); it is the map itself when the border is.
+/// border. The weights are positive, so the result has no flips (Floater 2003); it is the map itself when the border
+/// is.
 ///
 /// \param uv a map of the patch without flips
 /// \param border_uv #B by 2, convex, counter-clockwise, without chords along a side

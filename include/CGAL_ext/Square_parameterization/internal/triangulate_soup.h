@@ -38,8 +38,8 @@ private:
   std::set<std::pair<std::size_t, std::size_t>> m_diagonals;
 };
 
-/// splits one polygon by diagonals that are no edges yet, for an edge must not get a third face. What cannot be split so,
-/// because all diagonals are edges, gets a vertex in its middle. The triangles are oriented as the polygon.
+/// splits one polygon by diagonals that are no edges yet, for an edge must not get a third face. What cannot be split
+/// so, because all diagonals are edges, gets a vertex in its middle. The triangles are oriented as the polygon.
 inline std::vector<std::vector<std::size_t>>
 triangles_of_polygon(const std::vector<std::size_t>& polygon, Known_edges& edges, std::vector<Eigen::Vector3d>& points)
 {

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_OPTION_LIST_H
+#define SQUARE_MAP_OPTION_LIST_H
+
+#include "option_values.h"
+
+#include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
+
+#include <boost/program_options.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace square_map {
+
+/// what the user asked for
+struct Command_line
+{
+  bool wants_help = false;
+  std::string help;
+  std::string input, output, json, seams;
+  std::string strategy, minimizer = "optimal";
+  std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
+  bool is_quiet = false;
+  CGAL_ext::Square_map_options options;
+  CGAL_ext::internal::Conditioning_options conditioning_options;
+};
+
+/// the options as they are given: names and numbers that are still to be checked
+struct Given_options
+{
+  std::string weights, corner_rule, walk, preset, corners, border, cut, component;
+  double eta = 0, balance = 0;
+  int patience = 0, threads = 0;
+  Tuning tuning;
+  boost::program_options::variables_map all;
+
+  bool has(const char* option) const { return all.count(option) != 0; }
+};
+
+/// the options; what is given goes to \p given, or straight to \p line
+inline boost::program_options::options_description option_list(Given_options& given, Command_line& line)
+{
+  namespace po = boost::program_options;
+  po::options_description options("options");
+  auto add = options.add_options();
+  add("help,h", "show this text");
+  add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
+  add("strategy", po::value(&line.strategy)->value_name("NAME"),
+      "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
+      "quarter-brute-force, particle-swarm, step-sampling, single-highest, many-high, better-of-two, none");
+  add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
+      "optimal (default): least balanced energy; iterative: Yoshizawa et al.");
+  add("balance", po::value(&given.balance)->value_name("X"),
+      "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
+  add("border", po::value(&given.border)->value_name("NAME"),
+      "fixed or sliding; default fixed for iterative, sliding for optimal");
+  add("component", po::value(&given.component)->value_name("K"),
+      "map one connected component: largest, or a number; 0 has most faces, ties go to the first face");
+  add("triangulate", po::bool_switch(&line.conditioning_options.triangulate), "split faces that are no triangles");
+  add("cut", po::value(&given.cut)->value_name("NAME"),
+      "how a surface that is not a disk is cut: best (default): for little stretch; shortest; none: it is refused");
+  add("cut-weight", po::value(&line.options.cut.cut_weight)->value_name("X"),
+      "best: stretch that a cut of the length sqrt(area) must save; default 0.05");
+  add("max-cut-length", po::value(&line.options.cut.max_cut_length)->value_name("X"),
+      "best: length, in units of sqrt(area), beyond which a cut is not extended");
+  add("cut-disk", po::bool_switch(&line.options.cut.cuts_disk),
+      "best: cut a disk, too, where L2 falls by more than --cut-weight times the length of the cut");
+  add("seams", po::value(&line.seams)->value_name("FILE"),
+      "edges to cut along, two vertex numbers a line, counted from 0; what they lack is added");
+  add("weights", po::value(&given.weights)->value_name("NAME"),
+      "of the iteration, which is the start of optimal: blended (default), shape-preserving, shape-preserving-plain, "
+      "mean-value, symmetric-mean-value, uniform, clamped-cotangent, harmonic");
+  add("corner-rule", po::value(&given.corner_rule)->value_name("NAME"), "where sides end: nearest (default), author");
+  add("walk", po::value(&given.walk)->value_name("NAME"),
+      "direction in which candidates are counted: counter-clockwise (default), clockwise");
+  add("preset", po::value(&given.preset)->value_name("NAME"), "paper: the settings of the published tables");
+  add("step", po::value(&given.tuning.step)->value_name("N"),
+      "step-sampling: distance between samples; 0 (default): sqrt(V m / F)");
+  add("interval", po::value(&given.tuning.interval)->value_name("N"), "hybrid: stride; 0 (default): the step less one");
+  add("seed", po::value(&given.tuning.seed)->value_name("N"), "particle-swarm: seed; default 0");
+  add("eta", po::value(&given.eta)->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
+  add("patience", po::value(&given.patience)->value_name("N"), "iterates that may fail to be lower; default 1");
+  add("threads", po::value(&given.threads)->value_name("N"),
+      "threads; 0 (default) for all cores, fewer on large surfaces");
+  add("corners", po::value(&given.corners)->value_name("a,b,c,d"),
+      "four border vertices, counter-clockwise, counted from 0: no search");
+  add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");
+  add("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
+  return options;
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_OPTION_LIST_H

@@ -131,14 +131,15 @@ Exit_status run(Command_line line)
   }
 
   const auto write_start = Clock::now();
+  const std::vector<int> originals = originals_of(result, soup.points.size());
   if(output) {
-    write_map(output->stream(), mesh, uv, originals_of(result, soup.points.size()), extension_of(line.output));
+    write_map(output->stream(), mesh, uv, originals, extension_of(line.output));
     output->close();
   }
   seconds.write = seconds_since(write_start);
   seconds.total = seconds_since(start);
   if(!line.json.empty()) {
-    const auto json = make_report(line, input_vertices, input_faces, conditioning, mesh, result, seconds);
+    const auto json = make_report(line, input_vertices, input_faces, conditioning, mesh, result, originals, seconds);
     std::ostream& stream = report ? static_cast<std::ostream&>(report->stream()) : std::cout;
     // a file name need not be UTF-8
     stream << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;

@@ -3,6 +3,8 @@
 
 #include "test_command_line_checks.h"
 
+#include <map>
+
 // Surfaces that cannot be mapped as they are: refused, or reduced to a component, or cut.
 
 TEST_CASE("a surface without faces cannot be mapped")
@@ -179,7 +181,7 @@ TEST_CASE("a closed surface is cut: its vertices stay, seams part the texture al
       arguments.push_back(folder.add("seams.txt", "0 4\n\n4 1\n"));
     const Finished_process result = square_map(arguments);
     REQUIRE(result.status == DONE);
-    const auto conditioned = nlohmann::json::parse(result.out)["conditioned"];
+    const auto report = nlohmann::json::parse(result.out), conditioned = report["conditioned"];
     const std::size_t seams = conditioned["seam_edges"], chords = conditioned["chords_split"];
     CHECK(seams >= 2);
     CHECK(conditioned["cut_length"] == Approx(seams * std::sqrt(2.) / std::sqrt(4 * std::sqrt(3.))));
@@ -188,6 +190,7 @@ TEST_CASE("a closed surface is cut: its vertices stay, seams part the texture al
     std::istringstream lines(read_file(output));
     std::vector<Point> points;
     std::size_t texture_vertices = 0, faces = 0;
+    std::map<long, long> vertex_of; // per texture vertex
     for(std::string line, key; std::getline(lines, line);) {
       std::istringstream words(line);
       words >> key;
@@ -195,11 +198,24 @@ TEST_CASE("a closed surface is cut: its vertices stay, seams part the texture al
         points.push_back(next_point(words));
       texture_vertices += key == "vt" ? 1 : 0;
       faces += key == "f" ? 1 : 0;
+      char slash = 0;
+      for(long v = 0, vt = 0; key == "f" && words >> v >> slash >> vt;)
+        vertex_of[vt - 1] = v - 1;
     }
     REQUIRE(points.size() == octahedron.points.size() + chords);
     CHECK(std::equal(octahedron.points.begin(), octahedron.points.end(), points.begin()));
     CHECK(texture_vertices == points.size() + seams - 1);
     CHECK(faces == octahedron.faces.size() + 2 * chords);
+
+    // corners are vertices of the cut surface, and of the file, where one may be several
+    const std::vector<long> corners = report["best"]["corners"], input_corners = report["best"]["input_corners"];
+    REQUIRE(corners.size() == 4);
+    REQUIRE(input_corners.size() == 4);
+    for(int k = 0; k < 4; ++k)
+      CHECK(vertex_of.at(corners[k]) == input_corners[k]);
+    const Finished_process again = square_map(arguments + Arguments{"--corners", corner_option(input_corners)});
+    REQUIRE(again.status == DONE);
+    CHECK(nlohmann::json::parse(again.out)["best"]["input_corners"] == input_corners);
   }
 }
 

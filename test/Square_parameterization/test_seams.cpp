@@ -313,6 +313,37 @@ TEST_CASE("a closed mesh is cut along given seams, or refused")
   CHECK(map_onto_square(mesh, options).result.status == SMP::ERROR_WRONG_PARAMETER);
 }
 
+TEST_CASE("the ends of the seam of a cylinder are two corners each: the cylinder is unrolled by an isometry")
+{
+  constexpr int N = 12; // around and along; a prism with square faces
+  const double radius = 0.5 / std::sin(PI / N);
+  Closed_mesh cylinder;
+  Square_map_options options;
+  for(int j = 0; j <= N; ++j)
+    for(int i = 0; i < N; ++i)
+      cylinder.points.push_back({radius * std::cos(2 * PI * i / N), radius * std::sin(2 * PI * i / N), double(j)});
+  for(int j = 0; j < N; ++j) {
+    for(int i = 0; i < N; ++i) {
+      const int a = i + N * j, b = (i + 1) % N + N * j;
+      cylinder.triangles.insert(cylinder.triangles.end(), {{a, b, b + N}, {a, b + N, a + N}});
+    }
+    options.seams.push_back({std::size_t(N * j), std::size_t(N * (j + 1))});
+  }
+  const std::size_t bottom = 0, top = N * N;
+  for(const auto& corners : {std::array<std::size_t, 4>{bottom, bottom, top, top}, {bottom, top, top, bottom}}) {
+    Surface_mesh mesh = make_mesh<Surface_mesh>(cylinder);
+    options.corners = corners;
+    const auto [result, uv] = map_onto_square(mesh, options);
+    REQUIRE(result.status == SMP::OK);
+    CHECK(result.measures.l2 == Approx(1).epsilon(1e-3)); // the minimizer ends near the isometry
+    for(int k = 0; k < 4; ++k)
+      CHECK(mesh.point(result.corners[k]) == mesh.point(Surface_mesh::Vertex_index(corners[k])));
+  }
+  Surface_mesh mesh = make_mesh<Surface_mesh>(cylinder);
+  options.corners = {bottom, bottom, bottom, top}; // there are but two copies
+  CHECK(map_onto_square(mesh, options).result.status == SMP::ERROR_WRONG_PARAMETER);
+}
+
 TEST_CASE("the cut and the stretch do not depend on the scale")
 {
   const Closed_mesh mesh = ellipsoid(2, 2);

@@ -39,7 +39,9 @@ struct Square_map_options
   std::vector<std::array<std::size_t, 2>> seams;
 
   /// four border vertices for (0, 0), (1, 0), (1, 1) and (0, 1), counter-clockwise, as indices in the order of
-  /// `vertices(mesh)`; none: the corners are searched
+  /// `vertices(mesh)`; none: the corners are searched. A vertex that is cut stands for its copies, and may be given
+  /// more than once, as the ends of a seam along a cylinder: of the copies in order those are taken that leave the
+  /// longest shortest side.
   std::optional<std::array<std::size_t, 4>> corners;
 };
 

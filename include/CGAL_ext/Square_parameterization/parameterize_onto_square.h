@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/error_message.h>
 #include <CGAL_ext/Square_parameterization/internal/cut_face_graph.h>
 #include <CGAL_ext/Square_parameterization/internal/options_parameter.h>
+#include <CGAL_ext/Square_parameterization/internal/place_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/square_search.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -39,24 +40,47 @@ inline void check_options(const Square_map_options& options)
   check_cut_options(options.cut);
 }
 
-/// positions in the border loop of four vertices, given by their place in the order of the mesh
+/// positions in the border loop of the vertex at place \p v in the order of the mesh, and of its copies
+template <class TriangleMesh>
+std::vector<int> border_places(const TriangleMesh& mesh, const Face_graph_patch<TriangleMesh>& disk,
+                               const Square_map_result<TriangleMesh>& result, std::size_t v)
+{
+  typedef typename Square_map_result<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  std::vector<int> places;
+  if(v >= vertices(mesh).size())
+    return places;
+  const vertex_descriptor original = *std::next(vertices(mesh).begin(), v);
+  std::vector<vertex_descriptor> sought{original};
+  for(const auto& [copy, copied] : result.copies)
+    if(copied == original)
+      sought.push_back(copy);
+  const auto loop = select(disk.vertices, disk.patch.border);
+  for(vertex_descriptor vertex : sought)
+    if(const auto found = std::find(loop.begin(), loop.end(), vertex); found != loop.end())
+      places.push_back(static_cast<int>(found - loop.begin()));
+  return places;
+}
+
+/// positions in the border loop of four vertices, given by their places in the order of the mesh. Throws `Unmappable`
+/// when one is not on the border, and when they are not distinct and in counter-clockwise order.
 template <class TriangleMesh>
 Corners border_positions(const TriangleMesh& mesh, const Face_graph_patch<TriangleMesh>& disk,
+                         const Square_map_result<TriangleMesh>& result,
                          const std::array<std::size_t, 4>& corner_vertices)
 {
-  const auto loop = select(disk.vertices, disk.patch.border);
-  Corners corners{};
+  namespace SMP = CGAL::Surface_mesh_parameterization;
+  std::array<std::vector<int>, 4> places;
   for(int k = 0; k < 4; ++k) {
-    const std::size_t v = corner_vertices[k];
-    const auto found = v < vertices(mesh).size()
-                           ? std::find(loop.begin(), loop.end(), *std::next(vertices(mesh).begin(), v))
-                           : loop.end();
-    if(found == loop.end())
-      throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                       "corner vertex " + std::to_string(v) + " is not on the border");
-    corners[k] = static_cast<int>(found - loop.begin());
+    places[k] = border_places(mesh, disk, result, corner_vertices[k]);
+    if(places[k].empty())
+      throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
+                       "corner vertex " + std::to_string(corner_vertices[k]) + " is not on the border");
   }
-  return corners;
+  const std::optional<Corners> corners = place_corners(disk.patch.border_lengths, places);
+  if(!corners)
+    throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
+                     "the four corners are not distinct border vertices in counter-clockwise order");
+  return *corners;
 }
 
 } // namespace internal
@@ -143,9 +167,9 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
         options.balanced ? options.balanced->make_minimizer(patch) : options.minimization.make_minimizer(patch);
     const auto search_start = Clock::now();
     const internal::Search_outcome outcome =
-        options.corners
-            ? internal::map_with_corners(patch, minimizer, internal::border_positions(mesh, disk, *options.corners))
-            : internal::search_square_map(patch, minimizer, options.search, options.search_options);
+        options.corners ? internal::map_with_corners(patch, minimizer,
+                                                     internal::border_positions(mesh, disk, result, *options.corners))
+                        : internal::search_square_map(patch, minimizer, options.search, options.search_options);
     const auto end = Clock::now();
 
     result.condition_seconds = std::chrono::duration<double>(search_start - condition_start).count();

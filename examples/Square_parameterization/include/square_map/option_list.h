@@ -88,7 +88,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("threads", po::value(&given.threads)->value_name("N"),
       "threads; 0 (default) for all cores, fewer on large surfaces");
   add("corners", po::value(&given.corners)->value_name("a,b,c,d"),
-      "four border vertices, counter-clockwise, counted from 0: no search");
+      "four border vertices, counter-clockwise, counted from 0: no search; one that is cut stands for its copies");
   add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");
   add("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
   return options;

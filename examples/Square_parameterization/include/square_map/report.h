@@ -8,7 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace square_map {
 
@@ -24,10 +26,31 @@ inline nlohmann::ordered_json number(double x)
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
 
+/// the corners as vertices of the file, as `--corners` takes them: copies count as their original; null for a vertex
+/// that was added
+/// \param originals per vertex of the cut mesh, the vertex of the conditioned one; vertices beyond were added
+inline nlohmann::ordered_json input_corners(const CGAL_ext::Square_map_result<Mesh>& result,
+                                            const std::vector<int>& originals,
+                                            const CGAL_ext::internal::Conditioning_report& conditioning)
+{
+  nlohmann::ordered_json corners = nlohmann::ordered_json::array();
+  for(Mesh::Vertex_index corner : result.corners) {
+    const auto& kept = conditioning.new_index;
+    const auto found = corner.idx() < originals.size()
+                           ? std::find(kept.begin(), kept.end(), static_cast<std::size_t>(originals[corner.idx()]))
+                           : kept.end();
+    corners.push_back(found != kept.end() ? nlohmann::ordered_json(found - kept.begin())
+                                          : nlohmann::ordered_json(nullptr));
+  }
+  return corners;
+}
+
 /// the report of a run that made a map
+/// \param originals see `input_corners()`
 inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t input_vertices, std::size_t input_faces,
                                           const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh,
-                                          const CGAL_ext::Square_map_result<Mesh>& result, const Timings& seconds)
+                                          const CGAL_ext::Square_map_result<Mesh>& result,
+                                          const std::vector<int>& originals, const Timings& seconds)
 {
   const CGAL_ext::Cut_report& cut = result.cut;
   nlohmann::ordered_json json;
@@ -66,7 +89,8 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
   for(Mesh::Vertex_index v : result.corners)
     corners.push_back(v.idx());
   json["best"] = {{"candidate", result.search.best_candidate},
-                  {"corners", corners},
+                  {"corners", corners}, // of the cut mesh
+                  {"input_corners", input_corners(result, originals, conditioning)},
                   {"l2", result.measures.l2},
                   {"linf", result.measures.linf},
                   {"symmetric_dirichlet", result.measures.symmetric_dirichlet},

@@ -112,12 +112,10 @@ inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer&
   return outcome;
 }
 
-/// maps the patch for four corners chosen by the user: positions in the border loop, counter-clockwise
+/// maps the patch for four corners chosen by the user
+/// \pre the positions are distinct and in counter-clockwise order
 inline Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimizer, const Corners& corners)
 {
-  if(!are_corners_in_order(corners, static_cast<int>(patch.border.size())))
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                     "the four corners are not distinct border vertices in counter-clockwise order");
   const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
   Search_outcome outcome{minimizer.finish(minimizer.make_worker()(border.uv, nullptr)), {}};
   outcome.report.candidates = 1;

@@ -17,9 +17,9 @@ namespace internal {
 struct Corner_shape
 {
   double inverse_twice_area;
-  double side;   ///< squared length of the side opposite to the corner, over four times the area
-  double height; ///< squared height over that side, over four times the area
-  double foot;   ///< where the height divides the side: 0 at the next corner, 1 at the one after it
+  double squared_side;   ///< of the side opposite to the corner, in units of four times the area
+  double squared_height; ///< over that side, in the same units
+  double foot;           ///< where the height divides the side: 0 at the next corner, 1 at the one after it
 };
 
 inline Corner_shape corner_shape(const Flat_triangle& shape, int corner)
@@ -57,8 +57,8 @@ public:
   {
     const Eigen::RowVector2d start = q - m_origin, side = r - q;
     const Eigen::RowVector2d slope = shape.inverse_twice_area * Eigen::RowVector2d(-side.y(), side.x());
-    m_corners.push_back(
-        {-start.dot(slope), shape.side, shape.height * side.squaredNorm(), start + shape.foot * side, slope, 0});
+    m_corners.push_back({-start.dot(slope), shape.squared_side, shape.squared_height * side.squaredNorm(),
+                         start + shape.foot * side, slope, 0});
   }
 
   /// the energy with the vertex at \p position; infinite when a triangle is not counter-clockwise
@@ -90,12 +90,15 @@ public:
 private:
   struct Corner
   {
-    double determinant_at_origin, side, least_dirichlet;
+    double determinant_at_origin, squared_side, least_dirichlet;
     Eigen::RowVector2d foot, determinant_slope;
     double inverse_determinant; // where the derivatives were taken
 
     double determinant(const Eigen::RowVector2d& p) const { return determinant_at_origin + determinant_slope.dot(p); }
-    double dirichlet(const Eigen::RowVector2d& p) const { return side * (p - foot).squaredNorm() + least_dirichlet; }
+    double dirichlet(const Eigen::RowVector2d& p) const
+    {
+      return squared_side * (p - foot).squaredNorm() + least_dirichlet;
+    }
   };
 
   struct Derivatives
@@ -129,13 +132,13 @@ private:
       const double first = -2 * inverse * inverse * inverse; // derivative of the weight by J
       const double second = -3 * first * inverse * E;        // and the next one, times E
       const Eigen::RowVector2d& s = corner.determinant_slope;
-      const Eigen::RowVector2d e = 2 * corner.side * (p - corner.foot); // gradient of E
+      const Eigen::RowVector2d e = 2 * corner.squared_side * (p - corner.foot); // gradient of E
       energy += E * weight;
       by_u += weight * e.x() + first * E * s.x();
       by_v += weight * e.y() + first * E * s.y();
-      uu += 2 * weight * corner.side + 2 * first * e.x() * s.x() + second * s.x() * s.x();
+      uu += 2 * weight * corner.squared_side + 2 * first * e.x() * s.x() + second * s.x() * s.x();
       uv += first * (e.x() * s.y() + e.y() * s.x()) + second * s.x() * s.y();
-      vv += 2 * weight * corner.side + 2 * first * e.y() * s.y() + second * s.y() * s.y();
+      vv += 2 * weight * corner.squared_side + 2 * first * e.y() * s.y() + second * s.y() * s.y();
     }
     return {energy, {by_u, by_v}, uu, uv, vv};
   }

@@ -26,9 +26,11 @@ inline std::vector<std::array<std::size_t, 2>> seams_at(const std::array<int, 4>
   return seams;
 }
 
-/// four vertices of one border, counter-clockwise; none when the places are not four
+/// four vertices of one border, counter-clockwise; none when the places are not four. Of a closed surface any four,
+/// which the cut may put on the border, and one of them several times.
 inline std::optional<std::array<std::size_t, 4>> corners_at(const std::array<int, 4>& places, const Fuzz_mesh& mesh)
 {
+  std::array<std::size_t, 4> corners{};
   std::vector<std::size_t> loop;
   for(Fuzz_mesh::Halfedge_index first : mesh.halfedges())
     if(mesh.is_border(first)) {
@@ -37,13 +39,16 @@ inline std::optional<std::array<std::size_t, 4>> corners_at(const std::array<int
         loop.push_back(mesh.target(h).idx());
       break;
     }
+  if(loop.empty()) {
+    std::transform(places.begin(), places.end(), corners.begin(),
+                   [&mesh](int place) { return place % mesh.number_of_vertices(); });
+    return corners;
+  }
   std::set<std::size_t> positions;
   for(int place : places)
-    if(!loop.empty())
-      positions.insert(place % loop.size());
+    positions.insert(place % loop.size());
   if(positions.size() < 4)
     return {};
-  std::array<std::size_t, 4> corners{};
   std::transform(positions.begin(), positions.end(), corners.begin(), [&loop](std::size_t k) { return loop[k]; });
   return corners;
 }
@@ -78,7 +83,7 @@ inline Outcome map_bytes(const std::uint8_t* data, std::size_t size)
   if(result.status == SMP::ERROR_NO_TOPOLOGICAL_DISC && choices.has_seams)
     return Outcome::REFUSED; // seams that separate the surface
   if(result.status == SMP::ERROR_WRONG_PARAMETER && choices.has_corners)
-    return Outcome::REFUSED; // a cut through several borders may have changed the order of the corners
+    return Outcome::REFUSED; // a cut may have changed the order of the corners, or have missed them
   if(result.status != SMP::OK)
     throw std::logic_error("a conditioned surface is refused: " + result.message);
   check_disk(mesh);

@@ -39,25 +39,30 @@ inline std::optional<Corners> place_corners(const std::vector<double>& lengths,
   const auto length_between = [&](int from, int to) { // counter-clockwise
     return length_before[to] - length_before[from] + (to <= from ? length_before[n] : 0);
   };
+  const auto steps_between = [n](int from, int to) { return (to - from + n) % n; };
+  // of the choices of the corners before the k-th the best that a place for the k-th continues
+  const auto continued = [&](const std::vector<Choice>& choices, int k, int place) {
+    std::optional<Choice> best;
+    for(const Choice& choice : choices) {
+      const int first = choice.corners[0], previous = choice.corners[k - 1];
+      if(steps_between(first, place) <= steps_between(first, previous))
+        continue;
+      const double side = (std::min)(choice.shortest_side, length_between(previous, place));
+      if(!best || side > best->shortest_side) {
+        best = Choice{side, choice.corners};
+        best->corners[k] = place;
+      }
+    }
+    return best;
+  };
   std::optional<Choice> best;
   for(int first : places[0]) {
-    const auto steps = [&](int position) { return (position - first + n) % n; };
     std::vector<Choice> choices{{std::numeric_limits<double>::infinity(), {first}}}; // one per place of the last corner
     for(int k = 1; k < 4; ++k) {
       std::vector<Choice> longer;
-      for(int place : places[k]) {
-        std::optional<Choice> best_here;
-        for(const Choice& choice : choices) {
-          const int previous = choice.corners[k - 1];
-          const double side = (std::min)(choice.shortest_side, length_between(previous, place));
-          if(steps(place) > steps(previous) && (!best_here || side > best_here->shortest_side)) {
-            best_here = Choice{side, choice.corners};
-            best_here->corners[k] = place;
-          }
-        }
-        if(best_here)
-          longer.push_back(*best_here);
-      }
+      for(int place : places[k])
+        if(const auto choice = continued(choices, k, place))
+          longer.push_back(*choice);
       choices = std::move(longer);
     }
     for(Choice& choice : choices) {

@@ -127,9 +127,9 @@ bool print_bracketing(const Model& model)
   const Search_report found = search(model.patch, minimizer, Bracketing_corner_search()).report;
   double least = std::numeric_limits<double>::infinity(), reached = least;
   for(const auto& sample : all.curve)
-    least = (std::min)(least, sample.stretch);
+    least = (std::min)(least, sample.objective);
   for(const auto& sample : found.curve)
-    reached = (std::min)(reached, sample.stretch);
+    reached = (std::min)(reached, sample.objective);
   const double limit = (std::max)(12., std::floor(2 * std::log2(double(all.candidates))) + 4);
   const bool is_hit = reached <= least * (1 + TOLERANCE) && found.evaluations <= limit;
   std::cout << std::left << std::setw(28) << model.name << std::right << std::setw(8) << all.candidates << std::setw(13)

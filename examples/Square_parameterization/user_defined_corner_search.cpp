@@ -24,7 +24,7 @@ struct Halving_corner_search
       std::vector<int> batch{best, (best + distance) % m, (best + m - distance % m) % m};
       if(round == 0)
         batch.push_back((best + 2 * distance) % m);
-      const std::vector<double> stretch = problem.stretch_of(batch); // concurrently; known candidates cost nothing
+      const std::vector<double> stretch = problem.objective_of(batch); // concurrently; known candidates cost nothing
       best = batch[std::min_element(stretch.begin(), stretch.end()) - stretch.begin()];
     }
   }
@@ -34,8 +34,8 @@ struct Progress : CGAL_ext::Search_visitor
 {
   void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
   {
-    least = (std::min)(least, sample.stretch);
-    std::cout << "candidate " << sample.candidate << ": " << sample.stretch << '\n';
+    least = (std::min)(least, sample.objective);
+    std::cout << "candidate " << sample.candidate << ": " << sample.objective << '\n';
   }
 
   double least = std::numeric_limits<double>::infinity();

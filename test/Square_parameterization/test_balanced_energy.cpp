@@ -3,9 +3,9 @@
 
 #include "mapped_patches.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Balanced_energy.h>
-#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
-#include <CGAL_ext/Square_parameterization/internal/feasible_step.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/Balanced_energy.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 #include <CGAL_ext/Square_parameterization/measure_stretch.h>
 
 #include <Eigen/Eigenvalues>

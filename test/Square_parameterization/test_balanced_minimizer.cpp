@@ -3,8 +3,8 @@
 
 #include "mapped_patches.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Balanced_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 #include <CGAL_ext/Square_parameterization/measure_stretch.h>
 
 #include <catch2/catch.hpp>

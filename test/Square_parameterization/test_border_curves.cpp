@@ -3,7 +3,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 
 #include <catch2/catch.hpp>
 

@@ -94,7 +94,7 @@ TEST_CASE("a candidate is mapped once and counted once")
   const int expected[] = {3, 7, 12, 20};
   for(int i = 0; i < 4; ++i) {
     CHECK(report.curve[i].candidate == expected[i]);
-    CHECK(report.curve[i].stretch == curve[expected[i]]);
+    CHECK(report.curve[i].objective == curve[expected[i]]);
   }
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("the best map is that of least stretch, of the lowest candidate among 
   CHECK(evaluation.report().best_candidate == 4);
   evaluation({2, 1, 3});
   CHECK(evaluation.report().best_candidate == 2);
-  CHECK(evaluation.report().best_stretch == 1.5);
+  CHECK(evaluation.report().best_objective == 1.5);
   CHECK(evaluation.best_map().uv(0, 0) == 2);
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("candidates without a map are evaluated but never the best")
   Candidate_evaluation evaluation = evaluation_of(curve);
   CHECK(evaluation({0, 2}) == std::vector<double>{INFEASIBLE, INFEASIBLE});
   CHECK(evaluation.report().best_candidate == -1);
-  CHECK(evaluation.report().best_stretch == INFEASIBLE);
+  CHECK(evaluation.report().best_objective == INFEASIBLE);
   CHECK(evaluation.best_map().uv.rows() == 0);
   CHECK(evaluation.report().evaluations == 2);
   evaluation({0, 1, 2, 3});
@@ -200,10 +200,10 @@ TEST_CASE("a cancelled search keeps the best so far and stops within one evaluat
   CHECK(visitor.samples.size() == 20);
   double least = INFEASIBLE;
   for(const auto& sample : report.curve) {
-    CHECK(sample.stretch == curve[sample.candidate]);
-    least = std::min(least, sample.stretch);
+    CHECK(sample.objective == curve[sample.candidate]);
+    least = std::min(least, sample.objective);
   }
-  CHECK(report.best_stretch == least);
+  CHECK(report.best_objective == least);
   CHECK(evaluation.best_map().uv(0, 0) == report.best_candidate);
 }
 
@@ -230,7 +230,7 @@ TEST_CASE("the visitor is told of every evaluation, one at a time")
             [](const auto& a, const auto& b) { return a.candidate < b.candidate; });
   for(int k = 0; k < 100; ++k) {
     CHECK(visitor.samples[k].candidate == k);
-    CHECK(visitor.samples[k].stretch == curve[k]);
+    CHECK(visitor.samples[k].objective == curve[k]);
   }
 }
 

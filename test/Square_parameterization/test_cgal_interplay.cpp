@@ -49,7 +49,7 @@ struct Last_candidate_corner_search
 
   void operator()(const Corner_search_problem& problem) const
   {
-    problem.stretch_of({problem.number_of_candidates - 1});
+    problem.objective_of({problem.number_of_candidates - 1});
   }
 };
 

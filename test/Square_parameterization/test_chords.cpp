@@ -35,7 +35,7 @@ TEST_CASE("chords are split so that every candidate has a map")
   CHECK(CGAL::is_triangle_mesh(mesh));
   CHECK(result.search.evaluations == flat.border.size());
   for(const auto& sample : result.search.curve)
-    CHECK(std::isfinite(sample.stretch));
+    CHECK(std::isfinite(sample.objective));
   CHECK(split_chords(mesh) == 0);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("the plug-in passes over candidates whose chords lie on a side, and do
   REQUIRE(visitor.searches.size() == 1);
   std::size_t feasible = 0;
   for(const auto& sample : visitor.searches[0].curve)
-    feasible += std::isfinite(sample.stretch) ? 1 : 0;
+    feasible += std::isfinite(sample.objective) ? 1 : 0;
   CHECK(visitor.searches[0].evaluations == 16);
   CHECK(feasible == 4);
 }
@@ -127,7 +127,7 @@ TEST_CASE("real disks are mapped one-to-one for every corner, with their chords 
   CHECK(result.measures.flipped_faces == 0);
   CHECK((name == "three_peaks.off") == (result.chords_split > 0));
   for(const auto& sample : result.search.curve)
-    CHECK(std::isfinite(sample.stretch));
+    CHECK(std::isfinite(sample.objective));
   for(const Eigen::Vector2d& p : uv)
     CHECK((p.minCoeff() >= 0 && p.maxCoeff() <= 1));
 }

@@ -4,8 +4,8 @@
 #include "multilevel_cases.h"
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
-#include <CGAL_ext/Square_parameterization/internal/Map_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <catch2/catch.hpp>
 

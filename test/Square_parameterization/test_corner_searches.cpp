@@ -4,7 +4,7 @@
 #include "search_curve.h"
 #include "test_meshes.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Few_corners_search.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Few_corners_search.h>
 
 #include <catch2/catch.hpp>
 
@@ -35,12 +35,12 @@ TEST_CASE("brute force finds the optimum with one evaluation per candidate")
       const Stretch_curve curve = smooth_curve(37, phase);
       const Search_report report = search_curve(curve, search);
       CHECK(report.best_candidate == minimum_of(curve));
-      CHECK(report.best_stretch == curve[minimum_of(curve)]);
+      CHECK(report.best_objective == curve[minimum_of(curve)]);
       CHECK(report.evaluations == 37);
       CHECK(report.candidates == 37);
       REQUIRE(report.curve.size() == 37);
       for(int k = 0; k < 37; ++k)
-        CHECK((report.curve[k].candidate == k && report.curve[k].stretch == curve[k]));
+        CHECK((report.curve[k].candidate == k && report.curve[k].objective == curve[k]));
     }
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a few corners come near the optimum of a smooth curve")
       const double least = curve[minimum_of(curve)], highest = *std::max_element(curve.begin(), curve.end());
       const Search_report report = search_curve(curve, internal::Few_corners_search());
       CHECK(report.evaluations <= 8);
-      CHECK(report.best_stretch <= least + 0.02 * (highest - least)); // at most a 32nd of the ring away
+      CHECK(report.best_objective <= least + 0.02 * (highest - least)); // at most a 32nd of the ring away
       if(candidates <= 4)
         CHECK(report.evaluations == static_cast<std::size_t>(candidates));
     }
@@ -91,7 +91,7 @@ TEST_CASE("a single candidate is enough for every strategy")
        Corner_search(First_candidate_corner_search())}) {
     const Search_report report = search_curve({1.25}, search);
     CHECK(report.best_candidate == 0);
-    CHECK(report.best_stretch == 1.25);
+    CHECK(report.best_objective == 1.25);
     CHECK(report.evaluations == 1);
   }
 }
@@ -116,7 +116,7 @@ TEST_CASE("a strategy of the user sees the number of candidates and their stretc
     void operator()(const Corner_search_problem& problem) const
     {
       for(int k = 0; k < problem.number_of_candidates; k += 3)
-        problem.stretch_of({k});
+        problem.objective_of({k});
     }
   };
   Stretch_curve curve(10, 2.);

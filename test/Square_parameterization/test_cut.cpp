@@ -3,12 +3,12 @@
 
 #include "closed_meshes.h"
 
-#include <CGAL_ext/Square_parameterization/internal/cut_open.h>
-#include <CGAL_ext/Square_parameterization/internal/cut_paths.h>
-#include <CGAL_ext/Square_parameterization/internal/initial_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/lift_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/reroute_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/split_surface_chords.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/cut_open.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/cut_paths.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_chords.h>
 
 #include <catch2/catch.hpp>
 
@@ -58,12 +58,12 @@ void check_disk(const std::vector<std::array<int, 3>>& triangles, int number_of_
   const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
   for(const auto& [side, h] : corner_of)
     if(const auto other = corner_of.find({side.second, side.first}); other != corner_of.end()) {
-      corners.unite(h, next(other->second));
-      corners.unite(next(h), other->second);
+      corners.union_set(h, next(other->second));
+      corners.union_set(next(h), other->second);
     }
   int fans = 0;
   for(std::size_t h = 0; h < 3 * triangles.size(); ++h)
-    fans += corners.find(h) == h ? 1 : 0;
+    fans += corners.find_set(h) == h ? 1 : 0;
   CHECK(fans == number_of_vertices);
 }
 

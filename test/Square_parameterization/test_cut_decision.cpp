@@ -3,7 +3,7 @@
 
 #include "closed_meshes.h"
 
-#include <CGAL_ext/Square_parameterization/internal/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 #include "map_cases.h"
 #include "weight_cases.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Convex_combination_system.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Convex_combination_system.h>
 
 #include <Eigen/LU>
 

@@ -3,8 +3,8 @@
 
 #include "multilevel_cases.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Multilevel_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <catch2/catch.hpp>
 

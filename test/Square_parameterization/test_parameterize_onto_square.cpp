@@ -44,12 +44,12 @@ TEST_CASE("the result tells the map")
   CHECK(result.search.candidates >= 5);
   CHECK(result.search.candidates <= 8);
   for(const auto& sample : result.search.curve)
-    CHECK(sample.stretch >= result.search.best_stretch);
+    CHECK(sample.objective >= result.search.best_objective);
 
   const Reference_stretch reference = reference_stretch(flat.points, flat.triangles, uv);
   if(!options.balanced)
-    CHECK(result.search.best_stretch == Approx(reference.l2).epsilon(1e-12));
-  CHECK(result.search.best_stretch == result.minimization.objective);
+    CHECK(result.search.best_objective == Approx(reference.l2).epsilon(1e-12));
+  CHECK(result.search.best_objective == result.minimization.objective);
   CHECK(result.minimization.l2 == Approx(reference.l2).epsilon(1e-12));
   CHECK(result.measures.l2 == Approx(reference.l2).epsilon(1e-12));
   CHECK(result.measures.linf == Approx(reference.linf).epsilon(1e-10));
@@ -67,7 +67,7 @@ TEST_CASE("every candidate of brute force is what its corners give")
   std::array<std::size_t, 4> corners{};
   std::copy(result.corners.begin(), result.corners.end(), corners.begin());
   const Result again = map_onto_square(flat, with_corners(corners)).result;
-  CHECK(again.search.best_stretch == result.search.best_stretch);
+  CHECK(again.search.best_objective == result.search.best_objective);
   CHECK(again.corners == result.corners);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("the map is the same to the last bit for any number of threads")
     CHECK(map.result.corners == expected.result.corners);
     REQUIRE(map.result.search.curve.size() == expected.result.search.curve.size());
     for(std::size_t i = 0; i < map.result.search.curve.size(); ++i)
-      CHECK(map.result.search.curve[i].stretch == expected.result.search.curve[i].stretch);
+      CHECK(map.result.search.curve[i].objective == expected.result.search.curve[i].objective);
   }
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("the visitor is told of the search and of the minimization")
   REQUIRE(visitor.minimizations.size() == 1);
   CHECK(visitor.starts[0] == std::size_t(result.search.candidates));
   CHECK(visitor.evaluations == result.search.evaluations);
-  CHECK(visitor.searches[0].best_stretch == result.search.best_stretch);
+  CHECK(visitor.searches[0].best_objective == result.search.best_objective);
   CHECK(visitor.searches[0].corners == result.search.corners);
   CHECK(visitor.minimizations[0].history == result.minimization.history);
 }

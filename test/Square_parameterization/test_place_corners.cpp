@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL_ext/Square_parameterization/internal/place_corners.h>
+#include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
 
 #include <catch2/catch.hpp>
 

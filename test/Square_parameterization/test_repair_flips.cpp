@@ -4,7 +4,7 @@
 #include "mapped_patches.h"
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
-#include <CGAL_ext/Square_parameterization/internal/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
 
 #include <catch2/catch.hpp>
 

@@ -143,7 +143,7 @@ TEST_CASE("hybrid evaluates both ways together and stops where the stretch rises
   problem.number_of_candidates = 30;
   problem.circle_stretch = [&] { return conditions.circle_stretch; };
   problem.corner_distances = conditions.corner_distances;
-  problem.stretch_of = [&](const std::vector<int>& batch) {
+  problem.objective_of = [&](const std::vector<int>& batch) {
     batches.emplace_back(batch.begin(), batch.end());
     std::vector<double> stretch;
     for(int candidate : batch)
@@ -175,7 +175,7 @@ TEST_CASE("bracketing finds the bottom of smooth valleys within its bound, and o
           continue; // a valley of four candidates is narrower than two samples
         INFO(n << " candidates, bottom " << bottom);
         const Search_report report = search_curve(curve, Bracketing_corner_search());
-        CHECK(report.best_stretch == Approx(1.5 - (curve == one ? 0.3 : 0.4)).epsilon(2e-4));
+        CHECK(report.best_objective == Approx(1.5 - (curve == one ? 0.3 : 0.4)).epsilon(2e-4));
         CHECK(static_cast<int>(report.evaluations) <= bound);
       }
     }
@@ -228,7 +228,7 @@ TEST_CASE("a swarm is the same for a seed, differs between seeds, and stays with
 TEST_CASE("a swarm finds the bottom of a wide valley")
 {
   for(unsigned int seed = 0; seed < 20; ++seed)
-    CHECK(search_curve(valley(100, 37), Particle_swarm_corner_search(12, 40, 10, seed)).best_stretch <= 1.02);
+    CHECK(search_curve(valley(100, 37), Particle_swarm_corner_search(12, 40, 10, seed)).best_objective <= 1.02);
 }
 
 TEST_CASE("every strategy ends on every curve, within the number of candidates, with the best it has seen")
@@ -250,10 +250,10 @@ TEST_CASE("every strategy ends on every curve, within the number of candidates, 
         CHECK(static_cast<int>(report.evaluations) <= n);
         double least = INFEASIBLE;
         for(const auto& sample : report.curve) {
-          CHECK(sample.stretch == curve[sample.candidate]);
-          least = (std::min)(least, sample.stretch);
+          CHECK(sample.objective == curve[sample.candidate]);
+          least = (std::min)(least, sample.objective);
         }
-        CHECK(report.best_stretch == least);
+        CHECK(report.best_objective == least);
       }
   }
 }
@@ -329,7 +329,7 @@ TEST_CASE("every strategy stops when it is cancelled, with the best so far")
     CHECK(report.evaluations == (std::min)(all, std::size_t(3)));
     double least = INFEASIBLE;
     for(const auto& sample : report.curve)
-      least = (std::min)(least, sample.stretch);
-    CHECK(report.best_stretch == least);
+      least = (std::min)(least, sample.objective);
+    CHECK(report.best_objective == least);
   }
 }

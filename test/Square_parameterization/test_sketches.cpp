@@ -7,9 +7,9 @@
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
-#include <CGAL_ext/Square_parameterization/internal/rerouted_initial_cuts.h>
-#include <CGAL_ext/Square_parameterization/internal/score_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/square_search.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <catch2/catch.hpp>
 
@@ -64,7 +64,7 @@ TEST_CASE("misleading sketches cost no more evaluations than the bound of bracke
   const int n = 200, bound = (std::max)(12, static_cast<int>(2 * std::log2(double(n))) + 4);
   const Search_report report = search_curve(valley(n, 100), Bracketing_corner_search(), with_sketches(valley(n, 0)));
   CHECK(static_cast<int>(report.evaluations) <= bound);
-  CHECK(report.best_stretch < valley(n, 100)[2]);
+  CHECK(report.best_objective < valley(n, 100)[2]);
 }
 
 TEST_CASE("where there is no sketch, or no map round the best of them, bracketing does without")
@@ -78,7 +78,7 @@ TEST_CASE("where there is no sketch, or no map round the best of them, bracketin
     holed[k] = INFEASIBLE;
   const Search_report report = search_curve(holed, Bracketing_corner_search(), with_sketches(valley(200, 150)));
   CHECK(report.best_candidate >= 0);
-  CHECK(report.best_stretch < 1.2);
+  CHECK(report.best_objective < 1.2);
 }
 
 TEST_CASE("sketches of large patches tell their borders apart as their maps do")

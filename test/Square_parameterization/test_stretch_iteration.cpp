@@ -6,7 +6,7 @@
 #include "reference_stretch.h"
 #include "weight_cases.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 #include "make_patch_of.h"
 #include "reference_stretch.h"
 
-#include <CGAL_ext/Square_parameterization/internal/stretch_kernel.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 
 #include <catch2/catch.hpp>
 

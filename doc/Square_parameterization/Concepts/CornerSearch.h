@@ -3,7 +3,7 @@
 \cgalConcept
 
 The concept `CornerSearch` describes the requirements for a strategy that looks for the best corners of the square. A
-strategy knows no geometry: it asks for the stretch of candidates, and the best of all candidates that it asked for is
+strategy knows no geometry: it asks for the objective of candidates, and the best of all candidates that it asked for is
 the result. It can thus be tested on an array of numbers.
 
 \cgalRefines{`CopyConstructible`}
@@ -33,7 +33,7 @@ public:
   CGAL_ext::Candidate_set candidate_set() const;
 
   /*!
-  asks `problem.stretch_of()` for the stretch of at least one candidate, as often as it likes. The other members of
+  asks `problem.objective_of()` for the objective of at least one candidate, as often as it likes. The other members of
   `problem` help it to choose. Candidates that are asked for in one
   call are mapped concurrently; a candidate that was asked for before costs nothing.
 

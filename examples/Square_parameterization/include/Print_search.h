@@ -14,7 +14,7 @@ struct Print_search : CGAL_ext::Search_visitor
   void end_search(const CGAL_ext::Search_report& report) override
   {
     std::cout << report.evaluations << " of " << report.candidates << " candidates evaluated; L2 stretch "
-              << report.best_stretch << " with the corners at border positions";
+              << report.best_objective << " with the corners at border positions";
     for(int corner : report.corners)
       std::cout << ' ' << corner;
     std::cout << '\n';

@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_BRACKETING_CORNER_SEARCH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_BRACKETING_CORNER_SEARCH_H
 
-#include <CGAL_ext/Square_parameterization/internal/Candidate_ring.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
 
 #include <optional>
 #include <set>
@@ -98,7 +98,7 @@ private:
       return result;
     };
     samples.evaluate(both_sides(candidate, 2)); // a step over a ripple
-    while(std::isfinite(ring.stretch(ring.best())))
+    while(std::isfinite(ring.objective(ring.best())))
       if(!samples.evaluate(both_sides(ring.best(), 1)))
         return true;
     return false;
@@ -109,12 +109,12 @@ private:
   static std::optional<int> best_sketch(const Corner_search_problem& problem)
   {
     constexpr int SAMPLES = 32;
-    if(!problem.sketched_stretch_of)
+    if(!problem.sketched_objective_of)
       return {};
     internal::Candidate_ring ring(problem);
     ring.compare_sketches();
     ring.evaluate(ring.even_candidates(SAMPLES));
-    if(!std::isfinite(ring.stretch(ring.best())))
+    if(!std::isfinite(ring.objective(ring.best())))
       return {};
     for(std::set<int> finer; !(finer = samples_around_best(ring, SAMPLES)).empty();)
       ring.evaluate({finer.begin(), finer.end()});
@@ -143,7 +143,8 @@ private:
 
   static Valley make_valley(const internal::Candidate_ring& ring, long left, long middle, long right)
   {
-    const double a = ring.stretch(ring.at(left)), b = ring.stretch(ring.at(middle)), c = ring.stretch(ring.at(right));
+    const double a = ring.objective(ring.at(left)), b = ring.objective(ring.at(middle)),
+                 c = ring.objective(ring.at(right));
     Valley valley{left, middle, right, double(middle), b};
     const double h = middle - left, k = right - middle;
     const double slope_left = (a - b) / h, slope_right = (c - b) / k; // both not negative
@@ -164,8 +165,8 @@ private:
     const std::size_t count = positions.size();
     int valleys = 0;
     for(std::size_t i = 0; i < count; ++i) {
-      const double here = ring.stretch(positions[i]);
-      if(here < ring.stretch(positions[(i + count - 1) % count]) && here < ring.stretch(positions[(i + 1) % count]))
+      const double here = ring.objective(positions[i]);
+      if(here < ring.objective(positions[(i + count - 1) % count]) && here < ring.objective(positions[(i + 1) % count]))
         ++valleys;
     }
     return valleys > 1;
@@ -191,14 +192,14 @@ private:
     constexpr double NEGLIGIBLE = 1e-5; // relative: less than this is not worth an evaluation
     const std::vector<int> positions = ring.known();
     const std::size_t count = positions.size();
-    const double best = ring.stretch(ring.best());
+    const double best = ring.objective(ring.best());
     std::optional<Valley> found;
     for(std::size_t i = 0; i < count; ++i) {
       const long middle = positions[i];
       const long left = i > 0 ? positions[i - 1] : positions[count - 1] - ring.size();
       const long right = i + 1 < count ? positions[i + 1] : positions[0] + ring.size();
-      const double here = ring.stretch(positions[i]);
-      if(right - left <= 2 || here > ring.stretch(ring.at(left)) || here > ring.stretch(ring.at(right)))
+      const double here = ring.objective(positions[i]);
+      if(right - left <= 2 || here > ring.objective(ring.at(left)) || here > ring.objective(ring.at(right)))
         continue;
       const Valley valley = make_valley(ring, left, middle, right);
       const bool is_best = ring.best() == positions[i];

@@ -17,19 +17,19 @@ struct Corner_search_problem
 {
   int number_of_candidates = 0; ///< at least 1
 
-  /// maps the given candidates, concurrently, and returns their stretch in the same order; infinite for a candidate
+  /// maps the given candidates, concurrently, and returns their objectives in the same order; infinite for a candidate
   /// without a one-to-one map. A candidate asked for twice is mapped once.
-  std::function<std::vector<double>(const std::vector<int>&)> stretch_of;
+  std::function<std::vector<double>(const std::vector<int>&)> objective_of;
 
-  /// as `stretch_of`, but each map starts from that of the nearest candidate evaluated by an earlier call, where the
-  /// minimizer can: neighbors then end in the same local minimum. The stretch of a candidate may depend, a little, on
+  /// as `objective_of`, but each map starts from that of the nearest candidate evaluated by an earlier call, where the
+  /// minimizer can: neighbors then end in the same local minimum. The objective of a candidate may depend, a little, on
   /// the calls before; not on the number of threads. May be empty.
-  std::function<std::vector<double>(const std::vector<int>&)> stretch_from_neighbors;
+  std::function<std::vector<double>(const std::vector<int>&)> objective_from_neighbors;
 
-  /// the stretch of the given candidates on a coarser mesh, concurrently: a fraction of the cost, comparable among such
-  /// values only, and lowest near the candidate whose `stretch_of` is lowest. Empty when the mesh has fewer than 8000
+  /// the objective of the given candidates on a coarser mesh, concurrently: a fraction of the cost, comparable among such
+  /// values only, and lowest near the candidate whose `objective_of` is lowest. Empty when the mesh has fewer than 8000
   /// vertices, and when the minimizer has no coarser meshes.
-  std::function<std::vector<double>(const std::vector<int>&)> sketched_stretch_of;
+  std::function<std::vector<double>(const std::vector<int>&)> sketched_objective_of;
 
   int number_of_vertices = 1; ///< of the mesh that is mapped
   int number_of_faces = 1;    ///< of the mesh that is mapped

@@ -5,14 +5,14 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_HYBRID_CORNER_SEARCH_H
 
 #include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
-#include <CGAL_ext/Square_parameterization/internal/Candidate_ring.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
 
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
 /// starts at the better of the two predictions from the circle, walks left and right on the ring with a constant
-/// interval while the stretch falls, both ways at the same time; then evaluates, together, every candidate between the
+/// interval while the objective falls, both ways at the same time; then evaluates, together, every candidate between the
 /// best and its evaluated neighbors (Dechvijankit et al., algorithm 2).
 ///
 /// Usually about \f$ 4 + 2 (i - 1) \f$ evaluations for an interval \f$ i \f$, and one circular map. Deterministic;
@@ -39,8 +39,8 @@ public:
   }
 
 private:
-  /// goes on in each direction until the stretch no longer falls there, or the ring is closed. A side where the worse
-  /// prediction lies within the first stride is not walked: the stretch does not fall there.
+  /// goes on in each direction until the objective no longer falls there, or the ring is closed. A side where the worse
+  /// prediction lies within the first stride is not walked: the objective does not fall there.
   static void walk_both_ways(internal::Candidate_ring& ring, int interval)
   {
     const int start = ring.best();
@@ -57,8 +57,8 @@ private:
       ring.evaluate(batch);
       for(int side = 0; side < 2; ++side)
         if(is_walking[side]) {
-          const double before = ring.stretch(position(ring, start, interval, side, steps - 1));
-          const double here = ring.stretch(position(ring, start, interval, side, steps));
+          const double before = ring.objective(position(ring, start, interval, side, steps - 1));
+          const double here = ring.objective(position(ring, start, interval, side, steps));
           is_walking[side] = here < before || !std::isfinite(before); // out of a region without a map
         }
     }

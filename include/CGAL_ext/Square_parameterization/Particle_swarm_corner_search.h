@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_PARTICLE_SWARM_CORNER_SEARCH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_PARTICLE_SWARM_CORNER_SEARCH_H
 
-#include <CGAL_ext/Square_parameterization/internal/Candidate_ring.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
 
 #include <random>
 
@@ -45,11 +45,11 @@ public:
     evaluate(swarm, ring);
     unsigned int failures = 0;
     for(unsigned int i = 0; i < m_iterations && failures < m_patience; ++i) {
-      const double best_before = ring.stretch(ring.best());
+      const double best_before = ring.objective(ring.best());
       for(Particle& particle : swarm)
         move(particle, ring, random);
       evaluate(swarm, ring);
-      failures = ring.stretch(ring.best()) < best_before ? 0 : failures + 1;
+      failures = ring.objective(ring.best()) < best_before ? 0 : failures + 1;
     }
   }
 
@@ -86,7 +86,7 @@ private:
       candidates.push_back(candidate_of(particle, ring));
     ring.evaluate(candidates);
     for(std::size_t i = 0; i < swarm.size(); ++i)
-      if(swarm[i].best < 0 || ring.stretch(candidates[i]) < ring.stretch(swarm[i].best))
+      if(swarm[i].best < 0 || ring.objective(candidates[i]) < ring.objective(swarm[i].best))
         swarm[i].best = candidates[i];
   }
 

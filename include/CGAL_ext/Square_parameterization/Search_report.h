@@ -17,19 +17,19 @@ namespace CGAL_ext {
 /// walk from the start of the border onto the corner (0, 0).
 struct Search_report
 {
-  /// a point of the stretch curve
+  /// a point of the curve of the objective over the candidates
   struct Sample
   {
     int candidate;
-    double stretch; ///< what the search minimises: the L2 stretch, or the balanced energy; infinite without a map
-    double l2;      ///< L2 stretch; infinite when the candidate has no one-to-one map
+    double objective; ///< what the search minimises: L2 stretch or balanced energy; infinite without a map
+    double l2;        ///< L2 stretch; infinite without a map
   };
 
   int candidates = 0;          ///< number of candidates the strategy could choose from
   std::size_t evaluations = 0; ///< number of candidates that were mapped, each counted once
   std::size_t sketches = 0; ///< number of candidates that were mapped on a coarser mesh, to choose those to be mapped
   int best_candidate = -1;  ///< -1 when no candidate has a one-to-one map
-  double best_stretch = std::numeric_limits<double>::infinity(); ///< of the best candidate
+  double best_objective = std::numeric_limits<double>::infinity(); ///< of the best candidate
   std::array<int, 4> corners{}; ///< positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1)
   std::vector<Sample> curve;    ///< the evaluated candidates, in the order of the candidates
   bool is_cancelled = false;    ///< the callback stopped the search: the best so far is reported

@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SINGLE_HIGHEST_SQUARE_BORDER_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
-#include <CGAL_ext/Square_parameterization/internal/Square_border_search_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/internal/plug_in/Square_border_search_parameterizer_3.h>
 
 namespace CGAL_ext {
 

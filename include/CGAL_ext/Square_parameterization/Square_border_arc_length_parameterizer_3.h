@@ -5,9 +5,9 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_BORDER_ARC_LENGTH_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/Corner_rule.h>
-#include <CGAL_ext/Square_parameterization/internal/Face_graph_patch.h>
-#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
-#include <CGAL_ext/Square_parameterization/internal/write_uv.h>
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 
 #include <array>
 #include <optional>

@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_STEP_SAMPLING_CORNER_SEARCH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STEP_SAMPLING_CORNER_SEARCH_H
 
-#include <CGAL_ext/Square_parameterization/internal/Candidate_ring.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
 
 namespace CGAL_ext {
 
@@ -14,7 +14,7 @@ namespace CGAL_ext {
 /// sample and the samples beside it on the ring (Dechvijankit et al., algorithm 1).
 ///
 /// About \f$ m / s + 2 (s - 1) \f$ evaluations for \f$ m \f$ candidates and a step \f$ s \f$. Deterministic; finds the
-/// optimum when the stretch has one valley that is wider than the step.
+/// optimum when the objective has one valley that is wider than the step.
 /// \cgalModels `CornerSearch`
 class Step_sampling_corner_search
 {

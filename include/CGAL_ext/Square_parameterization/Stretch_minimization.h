@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZATION_H
 
 #include <CGAL_ext/Square_parameterization/base_weights.h>
-#include <CGAL_ext/Square_parameterization/internal/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
 
 #include <functional>
 

@@ -5,8 +5,8 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZING_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
-#include <CGAL_ext/Square_parameterization/internal/Cgal_linear_solver.h>
-#include <CGAL_ext/Square_parameterization/internal/parameterize_with.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Cgal_linear_solver.h>
+#include <CGAL_ext/Square_parameterization/internal/plug_in/parameterize_with.h>
 
 #include <CGAL/Default.h>
 

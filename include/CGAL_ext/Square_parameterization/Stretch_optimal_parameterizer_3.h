@@ -6,7 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_square_border_parameterizer_3.h>
-#include <CGAL_ext/Square_parameterization/internal/parameterize_with.h>
+#include <CGAL_ext/Square_parameterization/internal/plug_in/parameterize_with.h>
 
 #include <CGAL/Default.h>
 

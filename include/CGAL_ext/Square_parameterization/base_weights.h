@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_BASE_WEIGHTS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_BASE_WEIGHTS_H
 
-#include <CGAL_ext/Square_parameterization/internal/edge_weights.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/edge_weights.h>
 
 namespace CGAL_ext {
 

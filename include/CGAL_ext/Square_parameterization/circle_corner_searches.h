@@ -74,7 +74,7 @@ struct Single_highest_corner_search
 
   void operator()(const Corner_search_problem& problem) const
   {
-    problem.stretch_of({internal::single_highest_candidate(problem, problem.circle_stretch())});
+    problem.objective_of({internal::single_highest_candidate(problem, problem.circle_stretch())});
   }
 };
 
@@ -91,7 +91,7 @@ struct Many_high_corner_search
 
   void operator()(const Corner_search_problem& problem) const
   {
-    problem.stretch_of({internal::many_high_candidate(problem, problem.circle_stretch())});
+    problem.objective_of({internal::many_high_candidate(problem, problem.circle_stretch())});
   }
 };
 
@@ -107,8 +107,8 @@ struct Better_of_two_corner_search
   void operator()(const Corner_search_problem& problem) const
   {
     const std::vector<double> circle_stretch = problem.circle_stretch();
-    problem.stretch_of({internal::single_highest_candidate(problem, circle_stretch),
-                        internal::many_high_candidate(problem, circle_stretch)});
+    problem.objective_of({internal::single_highest_candidate(problem, circle_stretch),
+                          internal::many_high_candidate(problem, circle_stretch)});
   }
 };
 

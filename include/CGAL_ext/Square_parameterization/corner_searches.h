@@ -24,7 +24,7 @@ struct Brute_force_corner_search
   {
     std::vector<int> all(problem.number_of_candidates);
     std::iota(all.begin(), all.end(), 0);
-    problem.stretch_of(all);
+    problem.objective_of(all);
   }
 };
 
@@ -46,7 +46,7 @@ struct First_candidate_corner_search
 {
   Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
 
-  void operator()(const Corner_search_problem& problem) const { problem.stretch_of({0}); }
+  void operator()(const Corner_search_problem& problem) const { problem.objective_of({0}); }
 };
 
 /// \ingroup PkgSquareParameterizationSearches

@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_ALONG_SEAMS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_ALONG_SEAMS_H
 
-#include <CGAL_ext/Square_parameterization/internal/open_seams.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/open_seams.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -6,9 +6,9 @@
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
-#include <CGAL_ext/Square_parameterization/internal/Face_graph_surface.h>
-#include <CGAL_ext/Square_parameterization/internal/cut_to_disk.h>
-#include <CGAL_ext/Square_parameterization/internal/options_parameter.h>
+#include <CGAL_ext/Square_parameterization/internal/common/options_parameter.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>

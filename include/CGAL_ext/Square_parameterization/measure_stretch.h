@@ -4,10 +4,10 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_MEASURE_STRETCH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_MEASURE_STRETCH_H
 
-#include <CGAL_ext/Square_parameterization/internal/Face_graph_patch.h>
-#include <CGAL_ext/Square_parameterization/internal/exact_orientation.h>
-#include <CGAL_ext/Square_parameterization/internal/stretch_kernel.h>
-#include <CGAL_ext/Square_parameterization/internal/write_uv.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 
 #include <cstddef>
 #include <limits>

@@ -7,10 +7,10 @@
 #include <CGAL_ext/Square_parameterization/Square_map_options.h>
 #include <CGAL_ext/Square_parameterization/Square_map_result.h>
 #include <CGAL_ext/Square_parameterization/error_message.h>
-#include <CGAL_ext/Square_parameterization/internal/cut_face_graph.h>
-#include <CGAL_ext/Square_parameterization/internal/options_parameter.h>
-#include <CGAL_ext/Square_parameterization/internal/place_corners.h>
-#include <CGAL_ext/Square_parameterization/internal/square_search.h>
+#include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
+#include <CGAL_ext/Square_parameterization/internal/common/options_parameter.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/cut_face_graph.h>
+#include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

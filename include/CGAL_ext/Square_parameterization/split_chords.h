@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H
 
-#include <CGAL_ext/Square_parameterization/internal/split_edges.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/split_edges.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>

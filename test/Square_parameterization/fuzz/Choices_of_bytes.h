@@ -12,7 +12,7 @@
 #include <CGAL_ext/Square_parameterization/Particle_swarm_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
 #include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
-#include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
 #include <array>

@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_FUZZ_SOUP_OF_BYTES_H
 #define CGAL_EXT_FUZZ_SOUP_OF_BYTES_H
 
-#include <CGAL_ext/Square_parameterization/internal/Surface_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_FUZZ_CHECK_MAP_H
 #define CGAL_EXT_FUZZ_CHECK_MAP_H
 
-#include <CGAL_ext/Square_parameterization/internal/Surface_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -104,7 +104,7 @@ inline void check_one_to_one(const Fuzz_mesh& mesh, Fuzz_uv_map uv,
   for(int k = 0; k < 4; ++k)
     demand(uv[result.corners[k]] == Fuzz_kernel::Point_2(k == 1 || k == 2, k >= 2), "a corner is not at a corner");
   demand(result.measures.flipped_faces == 0 && result.measures.l2 >= 1 - 1e-9 && std::isfinite(result.measures.l2) &&
-             std::isfinite(result.search.best_stretch),
+             std::isfinite(result.search.best_objective),
          "the report does not fit the map");
 }
 

@@ -8,7 +8,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Triangle_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
 #include <functional>
 #include <map>

@@ -6,7 +6,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL_ext/Square_parameterization/internal/Patch.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 inline CGAL_ext::internal::Patch make_patch_of(const Flat_mesh& mesh)
 {

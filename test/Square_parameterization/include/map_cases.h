@@ -4,7 +4,7 @@
 #ifndef CGAL_EXT_MAP_CASES_H
 #define CGAL_EXT_MAP_CASES_H
 
-#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 
 /// the border of the patch on the unit square, its first vertex at (0, 0)
 inline CGAL_ext::internal::Uv_coordinates first_square_border(const CGAL_ext::internal::Patch& patch)

@@ -8,7 +8,7 @@
 #include "test_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
-#include <CGAL_ext/Square_parameterization/internal/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 
 #include <Eigen/SVD>
 

@@ -7,7 +7,7 @@
 #include "closed_meshes.h"
 #include "mapped_patches.h"
 
-#include <CGAL_ext/Square_parameterization/internal/score_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 
 /// the iteration from which the coarsest patch starts
 inline CGAL_ext::internal::Stretch_iteration start_of(const CGAL_ext::internal::Patch& patch)

@@ -7,7 +7,7 @@
 #define CGAL_EXT_SEARCH_CURVE_H
 
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
-#include <CGAL_ext/Square_parameterization/internal/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -68,10 +68,10 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
       conditions.callback);
   CGAL_ext::Corner_search_problem problem;
   problem.number_of_candidates = candidates;
-  problem.stretch_of = [&](const std::vector<int>& batch) { return evaluation(batch); };
+  problem.objective_of = [&](const std::vector<int>& batch) { return evaluation(batch); };
   std::size_t sketches = 0;
   if(!conditions.sketched_stretch.empty())
-    problem.sketched_stretch_of = [&](const std::vector<int>& batch) {
+    problem.sketched_objective_of = [&](const std::vector<int>& batch) {
       sketches += batch.size();
       Stretch_curve stretch;
       for(int candidate : batch)

@@ -106,11 +106,11 @@ inline double rank_correlation(const std::vector<double>& a, const std::vector<d
   return xx * yy > 0 ? xy / std::sqrt(xx * yy) : 0;
 }
 
-inline std::vector<double> stretch_of(const std::vector<CGAL_ext::Search_report::Sample>& curve)
+inline std::vector<double> objective_of(const std::vector<CGAL_ext::Search_report::Sample>& curve)
 {
   std::vector<double> stretch;
   for(const auto& sample : curve)
-    stretch.push_back(sample.stretch);
+    stretch.push_back(sample.objective);
   return stretch;
 }
 
@@ -152,7 +152,7 @@ inline Experiment run_experiment(const std::string& name, const Mesh& mesh, CGAL
     options.minimization = minimization;
     const auto result = map_copy(mesh, options);
     experiment.rank_correlation[solver] =
-        rank_correlation(stretch_of(result.search.curve), stretch_of(experiment.curve));
+        rank_correlation(objective_of(result.search.curve), objective_of(experiment.curve));
   }
   return experiment;
 }

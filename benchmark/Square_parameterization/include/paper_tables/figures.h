@@ -26,8 +26,8 @@ inline void write_stretch_curve(std::ostream& svg, const Experiment& experiment)
 {
   double least = experiment.runs.at("quarter-brute-force").l2, largest = least;
   for(const auto& sample : experiment.curve)
-    if(std::isfinite(sample.stretch))
-      largest = (std::max)(largest, sample.stretch);
+    if(std::isfinite(sample.objective))
+      largest = (std::max)(largest, sample.objective);
   const double range = largest > least ? largest - least : 1;
   const auto x = [&](int candidate) {
     return MARGIN + (WIDTH - 2. * MARGIN) * candidate / (std::max)(1, experiment.candidates - 1);
@@ -38,9 +38,9 @@ inline void write_stretch_curve(std::ostream& svg, const Experiment& experiment)
   svg << "<path fill='none' stroke='black' d='";
   bool is_drawing = false;
   for(const auto& sample : experiment.curve) { // a candidate without a map leaves a gap
-    if(std::isfinite(sample.stretch))
-      svg << (is_drawing ? 'L' : 'M') << x(sample.candidate) << ' ' << y(sample.stretch) << ' ';
-    is_drawing = std::isfinite(sample.stretch);
+    if(std::isfinite(sample.objective))
+      svg << (is_drawing ? 'L' : 'M') << x(sample.candidate) << ' ' << y(sample.objective) << ' ';
+    is_drawing = std::isfinite(sample.objective);
   }
   svg << "'/>\n";
   const auto place = [&](const char* strategy) {

@@ -6,7 +6,7 @@
 
 #include "option_values.h"
 
-#include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
 
 #include <boost/program_options.hpp>
 

@@ -4,7 +4,7 @@
 #ifndef SQUARE_MAP_READ_SURFACE_H
 #define SQUARE_MAP_READ_SURFACE_H
 
-#include <CGAL_ext/Square_parameterization/internal/condition_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
 
 #include "Memory_limit.h"
 #include "check_ply_header.h"

@@ -94,13 +94,13 @@ inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t 
                   {"l2", result.measures.l2},
                   {"linf", result.measures.linf},
                   {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
-                  {"energy", result.search.best_stretch},
+                  {"energy", result.search.best_objective},
                   {"flipped", result.measures.flipped_faces},
                   {"iterations", result.minimization.iterations}};
   json["curve"] = nlohmann::ordered_json::array();
   for(const auto& sample : result.search.curve)
     json["curve"].push_back(
-        {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.stretch)}});
+        {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.objective)}});
   json["threads"] = CGAL_ext::internal::number_of_search_threads(line.options.search_options.number_of_threads,
                                                                  static_cast<int>(mesh.number_of_vertices()));
   json["seconds"] = {{"read", seconds.read},     {"condition", seconds.condition}, {"cut", seconds.cut},

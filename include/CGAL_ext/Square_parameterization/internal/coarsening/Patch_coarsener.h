@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_COARSENER_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_COARSENER_H
+
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/is_good_replacement.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// makes coarse patches: collapses interior vertices into interior neighbors, short edges first, wherever the surface
+/// stays a disk and, when it is to keep its shape, does not bend much and gets no sliver. All positions are kept, and
+/// so is the border, unless border vertices may be collapsed into their neighbors on the border, too; no chord is made.
+class Patch_coarsener
+{
+public:
+  /// \param least_shape_kept a triangle may be thin, but not below this share of the shape of the one that it replaces;
+  ///        none when the surface need not keep its shape
+  /// \param keeps_border indicates whether border vertices stay
+  explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = 0.7, bool keeps_border = true)
+    : m_fine(fine),
+      m_least_shape_kept(least_shape_kept),
+      m_removable_border_vertices(keeps_border ? 0
+                                               : (std::max)(0, static_cast<int>(fine.border.size()) - LEAST_BORDER)),
+      m_triangles(fine.triangles),
+      m_is_alive(fine.triangles.size(), true),
+      m_star(fine.points.size()),
+      m_next(fine.points.size(), -1),
+      m_previous(fine.points.size(), -1),
+      m_is_removed(fine.points.size(), false),
+      m_is_target(fine.points.size(), false),
+      m_changes(fine.points.size(), 0)
+  {
+    for(int f = 0; f < fine.number_of_faces(); ++f)
+      for(int v : fine.triangles[f])
+        m_star[v].push_back(f);
+    for(std::size_t k = 0; k < fine.border.size(); ++k)
+      join(fine.border[k], fine.border[(k + 1) % fine.border.size()]);
+  }
+
+  /// collapses until \p target vertices are left, or no vertex can go. To be called once.
+  /// Throws `Unmappable` when the coarse patch is degenerate.
+  Coarse_patch operator()(int target)
+  {
+    Coarse_patch coarse;
+    for(int v = 0; v < m_fine.number_of_vertices(); ++v)
+      push_collapses_of(v);
+    int count = m_fine.number_of_vertices();
+    std::vector<int> ring;
+    while(count > target && !m_queue.empty()) {
+      const Collapse collapse = m_queue.top();
+      m_queue.pop();
+      if(m_is_removed[collapse.from] || collapse.changes != m_changes[collapse.from])
+        continue; // the neighborhood is not what it was: a newer entry follows
+      find_ring(collapse.from, ring);
+      if(!may_collapse(collapse.from, collapse.to, ring))
+        continue;
+      std::vector<int> target_ring;
+      if(is_border(collapse.from))
+        find_ring(collapse.to, target_ring);
+      perform(collapse.from, collapse.to);
+      --count;
+      for(int w : ring) {
+        ++m_changes[w];
+        push_collapses_of(w);
+      }
+      coarse.removals.push_back({collapse.from, collapse.to, ring, std::move(target_ring)});
+    }
+    gather(coarse);
+    return coarse;
+  }
+
+private:
+  static constexpr int LEAST_BORDER = 32; // border vertices: the four corners need room
+
+  struct Collapse
+  {
+    double cost;
+    int from, to, changes;
+
+    bool operator>(const Collapse& other) const
+    {
+      return std::tie(cost, from, to) > std::tie(other.cost, other.from, other.to);
+    }
+  };
+
+  const Eigen::Vector3d& point(int v) const { return m_fine.points[v]; }
+
+  bool is_border(int v) const { return m_next[v] >= 0; }
+
+  void join(int v, int next)
+  {
+    m_next[v] = next;
+    m_previous[next] = v;
+  }
+
+  void push_collapse(int from, int to)
+  {
+    const double triangles = (is_border(from) ? 2. : 1.) * m_star[from].size(); // the border has half stars
+    m_queue.push({(point(to) - point(from)).squaredNorm() * triangles, from, to, m_changes[from]});
+  }
+
+  void push_collapses_of(int v)
+  {
+    if(is_border(v)) {
+      if(m_removable_border_vertices > 0) {
+        push_collapse(v, m_next[v]);
+        push_collapse(v, m_previous[v]);
+      }
+      return;
+    }
+    for(int f : m_star[v]) { // each neighbor is the next corner of one triangle
+      const auto& t = m_triangles[f];
+      const int w = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+      if(!is_border(w))
+        push_collapse(v, w);
+    }
+  }
+
+  /// the neighbors of a vertex, counter-clockwise; from the next to the previous border vertex on the border
+  void find_ring(int v, std::vector<int>& ring)
+  {
+    std::vector<std::pair<int, int>>& sides = m_sides;
+    sides.clear();
+    for(int f : m_star[v]) {
+      const auto& t = m_triangles[f];
+      const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+      sides.emplace_back(t[(k + 1) % 3], t[(k + 2) % 3]);
+    }
+    const int last = is_border(v) ? m_previous[v] : sides[0].first;
+    ring.assign(1, is_border(v) ? m_next[v] : sides[0].first);
+    do {
+      const int w = ring.back();
+      ring.push_back(
+          std::find_if(sides.begin(), sides.end(), [w](const auto& side) { return side.first == w; })->second);
+    } while(ring.back() != last);
+    if(!is_border(v))
+      ring.pop_back(); // the first again
+  }
+
+  bool may_collapse(int from, int to, const std::vector<int>& ring) const
+  {
+    const std::size_t n = ring.size();
+    const std::size_t place = std::find(ring.begin(), ring.end(), to) - ring.begin();
+    // the corners opposite to the edge: on the border only one
+    const int before = is_border(from) && place == 0 ? to : ring[(place + n - 1) % n];
+    const int after = is_border(from) && place + 1 == n ? to : ring[(place + 1) % n];
+    if(is_border(from) &&
+       (m_removable_border_vertices == 0 || m_is_target[from] || m_is_target[to] || has_border_vertex_inside(ring)))
+      return false;
+    // the two ends have no common neighbors but the opposite corners, which keep three neighbors
+    for(int f : m_star[to])
+      for(int w : m_triangles[f])
+        if(w != from && w != to && w != before && w != after && std::find(ring.begin(), ring.end(), w) != ring.end())
+          return false;
+    for(int w : {before, after})
+      if(w != to && m_star[w].size() <= (is_border(w) ? 1u : 3u))
+        return false;
+    return !m_least_shape_kept || keeps_shape(from, to, ring);
+  }
+
+  /// indicates whether a border vertex has chords, or only one triangle: the edge that would remain is a chord
+  bool has_border_vertex_inside(const std::vector<int>& ring) const
+  {
+    return ring.size() < 3 || std::any_of(ring.begin() + 1, ring.end() - 1, [this](int w) { return is_border(w); });
+  }
+
+  bool keeps_shape(int from, int to, const std::vector<int>& ring) const
+  {
+    const std::size_t n = ring.size();
+    for(std::size_t i = is_border(from) ? 1 : 0; i < n; ++i) {
+      const int a = ring[(i + n - 1) % n], b = ring[i];
+      if(a != to && b != to && !is_good_replacement(point(from), point(to), point(a), point(b), *m_least_shape_kept))
+        return false;
+    }
+    return true;
+  }
+
+  void perform(int from, int to)
+  {
+    for(int f : m_star[from]) {
+      auto& t = m_triangles[f];
+      if(std::find(t.begin(), t.end(), to) == t.end()) {
+        std::replace(t.begin(), t.end(), from, to);
+        m_star[to].push_back(f);
+        continue;
+      }
+      m_is_alive[f] = false;
+      for(int w : t)
+        if(w != from)
+          m_star[w].erase(std::find(m_star[w].begin(), m_star[w].end(), f));
+    }
+    m_star[from].clear();
+    m_is_removed[from] = true;
+    if(is_border(from)) {
+      m_is_target[to] = true;
+      join(m_previous[from], m_next[from]);
+      --m_removable_border_vertices;
+    }
+  }
+
+  void gather(Coarse_patch& coarse) const
+  {
+    std::vector<int> place(m_fine.points.size(), -1);
+    std::vector<Eigen::Vector3d> points;
+    for(int v = 0; v < m_fine.number_of_vertices(); ++v)
+      if(!m_is_removed[v]) {
+        place[v] = static_cast<int>(points.size());
+        points.push_back(point(v));
+        coarse.fine_vertex.push_back(v);
+      }
+    std::vector<std::array<int, 3>> triangles;
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+      if(m_is_alive[f])
+        triangles.push_back({place[m_triangles[f][0]], place[m_triangles[f][1]], place[m_triangles[f][2]]});
+    std::vector<int> border;
+    for(int v : m_fine.border)
+      if(!m_is_removed[v])
+        border.push_back(place[v]);
+    coarse.patch = make_patch(std::move(points), std::move(triangles), std::move(border));
+  }
+
+  const Patch& m_fine;
+  std::optional<double> m_least_shape_kept;
+  int m_removable_border_vertices;
+  std::vector<std::array<int, 3>> m_triangles;
+  std::vector<bool> m_is_alive;         // per triangle
+  std::vector<std::vector<int>> m_star; // per vertex, its triangles
+  std::vector<int> m_next, m_previous;  // per border vertex, its neighbors on the border; else -1
+  std::vector<bool> m_is_removed;
+  std::vector<bool> m_is_target;            // of the removal of a border vertex: so that there is room to put that back
+  std::vector<std::pair<int, int>> m_sides; // memory of `find_ring()`
+  std::vector<int> m_changes;               // per vertex, how often its neighborhood has changed
+  std::priority_queue<Collapse, std::vector<Collapse>, std::greater<Collapse>> m_queue;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_COARSENER_H

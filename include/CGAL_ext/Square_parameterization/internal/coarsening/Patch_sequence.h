@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_SEQUENCE_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_SEQUENCE_H
+
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_coarsener.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/coarse_border.h>
+
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// a patch and ever coarser ones, each with half the interior vertices of the one before it.
+///
+/// The border stays. Only where it would soon be most of a large patch it is made coarse, too: the corners of the
+/// square are then stood for by other vertices, and a vertex that is put back slides from its neighbor into place.
+class Patch_sequence
+{
+public:
+  /// shares of the shape that triangles may lose; the later are tried where the first allow too little
+  typedef std::initializer_list<std::optional<double>> Shapes_kept;
+
+  typedef std::vector<Coarse_border> Borders; ///< per patch
+
+  Patch_sequence(const Patch& patch, bool may_coarsen_border) : m_patch(patch), m_may_coarsen_border(may_coarsen_border)
+  {}
+
+  std::size_t size() const { return 1 + m_coarse.size(); }
+
+  /// the patch of a level: 0 is the given one
+  const Patch& operator[](std::size_t level) const { return level == 0 ? m_patch : m_coarse[level - 1]->patch; }
+
+  /// how to get from a level to the one before it. \pre level > 0
+  const Coarse_patch& coarse(std::size_t level) const { return *m_coarse[level - 1]; }
+
+  /// adds patches as long as they get coarser
+  void coarsen(Shapes_kept shapes_kept)
+  {
+    while(std::unique_ptr<const Coarse_patch> next = coarsened((*this)[size() - 1], shapes_kept))
+      m_coarse.push_back(std::move(next));
+  }
+
+  /// indicates whether all patches have the whole border
+  bool keeps_border() const { return (*this)[size() - 1].border.size() == m_patch.border.size(); }
+
+  /// the finest level with at most so many vertices; the coarsest when all have more
+  std::size_t finest_with(int vertices) const
+  {
+    std::size_t level = 0;
+    while((*this)[level].number_of_vertices() > vertices && level + 1 < size())
+      ++level;
+    return level;
+  }
+
+  /// the borders of the patches when that of the first is \p border_uv (#B by 2), as far as the four corners stay apart
+  Borders borders(const Uv_coordinates& border_uv) const
+  {
+    Borders result{{border_uv, {}}};
+    while(result.size() < size()) {
+      auto border = coarse_border((*this)[result.size() - 1], coarse(result.size()), result.back().uv);
+      if(!border)
+        break;
+      result.push_back(std::move(*border));
+    }
+    return result;
+  }
+
+private:
+  static constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
+  static constexpr int LARGE = 2000; // vertices: a smaller patch costs little as it is
+
+  /// none when the patch is small or cannot be made coarser
+  std::unique_ptr<const Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept) const
+  {
+    constexpr double LEAST_REMOVED = 0.2, LARGEST_BORDER = 0.5; // shares of the interior
+    const int border = static_cast<int>(patch.border.size()), interior = patch.number_of_vertices() - border;
+    if(interior <= COARSEST)
+      return nullptr;
+    const bool is_worth_while = patch.number_of_vertices() > LARGE || !keeps_border();
+    const bool keeps = !m_may_coarsen_border || !is_worth_while || border < LARGEST_BORDER * interior;
+    const int removable = keeps ? interior : interior + border;
+    for(const std::optional<double>& least_shape_kept : shapes_kept)
+      try {
+        Patch_coarsener coarsener(patch, least_shape_kept, keeps);
+        auto coarse = std::make_unique<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / 2));
+        if(coarse->removals.size() >= LEAST_REMOVED * removable)
+          return coarse;
+      } catch(const Unmappable&) {
+        // too degenerate to be a patch: the finer one does without
+      }
+    return nullptr;
+  }
+
+  const Patch& m_patch;
+  bool m_may_coarsen_border;
+  std::vector<std::unique_ptr<const Coarse_patch>> m_coarse;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_SEQUENCE_H

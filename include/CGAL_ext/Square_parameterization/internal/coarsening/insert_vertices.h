@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_INSERT_VERTICES_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_INSERT_VERTICES_H
+
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/Vertex_star.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/point_in_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// puts a vertex where the energy of the triangles around it is low
+class Vertex_insertion
+{
+public:
+  Vertex_insertion(const Patch& patch, double balance, Uv_coordinates& uv) : m_patch(patch), m_star(balance), m_uv(uv)
+  {}
+
+  /// puts an interior vertex into the middle of its ring, or into the kernel of the ring, and then where the energy is
+  /// low. Returns false when the kernel is lost in rounding.
+  bool insert_inside(int vertex, const std::vector<int>& ring)
+  {
+    std::vector<Eigen::RowVector2d> ring_uv;
+    Eigen::RowVector2d position(0, 0);
+    m_star.clear(m_uv.row(ring[0]));
+    for(std::size_t i = 0; i < ring.size(); ++i) {
+      add_triangle(vertex, ring[i], ring[(i + 1) % ring.size()]);
+      ring_uv.push_back(m_uv.row(ring[i]));
+      position += m_uv.row(ring[i]) / ring.size();
+    }
+    if(!std::isfinite(m_star.energy(position))) {
+      const std::optional<Eigen::RowVector2d> seeing = point_in_kernel(ring_uv);
+      if(!seeing || !std::isfinite(m_star.energy(*seeing)))
+        return false;
+      position = *seeing;
+    }
+    settle(vertex, position, {true, true});
+    return true;
+  }
+
+  /// puts a border vertex on the side of the square between \p from, which sees all of \p ring when the vertex is close
+  /// to it, and \p to: at its place by length, or nearer. Returns false when that is lost in rounding.
+  bool insert_on_side(int vertex, const std::vector<int>& ring, int from, int to)
+  {
+    constexpr int MAXIMUM_HALVINGS = 50;
+    constexpr double LEAST_SHARE = 0.1;
+    m_star.clear(m_uv.row(from));
+    for(std::size_t i = 0; i + 1 < ring.size(); ++i)
+      add_triangle(vertex, ring[i], ring[i + 1]);
+    const double length_from = (m_patch.points[from] - m_patch.points[vertex]).norm();
+    const double length_to = (m_patch.points[to] - m_patch.points[vertex]).norm();
+    const Eigen::RowVector2d side = m_uv.row(to) - m_uv.row(from);
+    // the neighbors may be copies of the same vertex, on the two sides of a seam
+    const double length = length_from + length_to;
+    double share = length > 0 ? std::clamp(length_from / length, LEAST_SHARE, 1 - LEAST_SHARE) : 0.5;
+    for(int i = 0; i < MAXIMUM_HALVINGS; ++i, share /= 2) {
+      const Eigen::RowVector2d position = m_uv.row(from) + share * side;
+      if(std::isfinite(m_star.energy(position))) {
+        settle(vertex, position, {side.x() != 0, side.y() != 0});
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  void add_triangle(int vertex, int a, int b)
+  {
+    const Flat_triangle shape = shape_between(m_patch, vertex, a, b);
+    m_star.add(corner_shape(shape, 0), m_uv.row(a), m_uv.row(b));
+  }
+
+  void settle(int vertex, Eigen::RowVector2d position, const std::array<bool, 2>& is_free)
+  {
+    constexpr int STEPS = 8;
+    for(int i = 0; i < STEPS && m_star.improve(position, is_free); ++i) {
+    }
+    m_uv.row(vertex) = position;
+  }
+
+  const Patch& m_patch;
+  Vertex_star m_star;
+  Uv_coordinates& m_uv;
+};
+
+/// puts the vertices that a coarse patch left out back into its map, in the reverse order. That is always possible: the
+/// vertex that took the place of another saw the whole ring. A corner of the square that was left out gets its place
+/// back, and the vertex that stood there moves on.
+///
+/// \param coarse_uv a map of \p coarse without flips
+/// \param removed_corners of the border of \p coarse: places in its removals, ascending
+/// \return a map of \p fine without flips; none when one is lost in rounding
+inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Coarse_patch& coarse,
+                                                     const Uv_coordinates& coarse_uv,
+                                                     const std::vector<std::size_t>& removed_corners, double balance)
+{
+  Uv_coordinates uv(fine.number_of_vertices(), 2);
+  for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
+    uv.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
+  Vertex_insertion insertion(fine, balance, uv);
+  for(std::size_t i = coarse.removals.size(); i-- > 0;) {
+    const auto& [vertex, target, ring, target_ring] = coarse.removals[i];
+    const auto other_end = [](const std::vector<int>& fan, int end) { return fan[0] == end ? fan.back() : fan[0]; };
+    bool is_inserted = true;
+    if(!coarse.removals[i].is_on_border()) {
+      is_inserted = insertion.insert_inside(vertex, ring);
+    } else if(!std::binary_search(removed_corners.begin(), removed_corners.end(), i)) {
+      is_inserted = insertion.insert_on_side(vertex, ring, target, other_end(ring, target));
+    } else {
+      uv.row(vertex) = uv.row(target);
+      is_inserted = insertion.insert_on_side(target, target_ring, vertex, other_end(target_ring, vertex));
+    }
+    if(!is_inserted)
+      return {};
+  }
+  return uv;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_INSERT_VERTICES_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_COMPLAINT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_COMPLAINT_H
+
+#include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// gathers what is wrong with a surface into one sentence that names numbers and first places
+class Complaint
+{
+public:
+  /// adds a sentence
+  void say(const std::string& text) { m_text += (m_text.empty() ? "" : "; ") + text; }
+
+  /// adds `count` things, none for 0, of which `places` are the first few
+  void add(std::size_t count, const std::string& singular, const std::string& plural,
+           const std::vector<std::string>& places = {})
+  {
+    if(count == 0)
+      return;
+    std::string text = std::to_string(count) + " " + (count == 1 ? singular : plural);
+    for(std::size_t i = 0; i < places.size(); ++i)
+      text += (i == 0 ? " (" : ", ") + places[i];
+    if(!places.empty())
+      text += count > places.size() ? ", ...)" : ")";
+    say(text);
+  }
+
+  /// all that was said; empty for nothing
+  const std::string& text() const { return m_text; }
+
+  void throw_if_any(CGAL::Surface_mesh_parameterization::Error_code code) const
+  {
+    if(!m_text.empty())
+      throw Unmappable(code, "the surface cannot be mapped: " + m_text);
+  }
+
+private:
+  std::string m_text;
+};
+
+constexpr std::size_t NAMED_PLACES = 3; // as many places are named in a message
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_COMPLAINT_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REFINE_CUT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REFINE_CUT_H
+
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_pool.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/candidate_terminals.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// lets each terminal of the cut go, or give way to one at a distance, where that lowers the score; false when it never
+/// does, or when the pool has mapped \p work vertices
+inline bool improve_cut(Cut_pool& pool, double distance, long work, Scored_cut& best, Cut_report& report)
+{
+  constexpr int DIRECTIONS = 3; // besides that along the cut
+  const Triangle_surface& surface = pool.surface();
+  bool is_improved = false;
+  for(int terminal : std::vector<int>(best.cut.terminals())) {
+    if(pool.vertices_mapped() >= work)
+      break;
+    std::vector<Scored_cut> cuts;
+    if(may_be_freed(surface, best.cut))
+      cuts.push_back({best.cut, Cut_step::DROPPED, terminal});
+    for(int place : nearby_places(surface, best.cut, terminal, distance, DIRECTIONS))
+      cuts.push_back({best.cut, Cut_step::MOVED, place});
+    cuts = pool(std::move(cuts), [&](Scored_cut& cut) {
+      if(cut.kind == Cut_step::MOVED)
+        extend_cut(surface, cut.terminal, cut.cut);
+      free_cut(surface, terminal, cut.cut);
+    });
+    const auto found = std::min_element(cuts.begin(), cuts.end(), is_better);
+    if(found == cuts.end() || !is_better(*found, best))
+      continue;
+    best = *found;
+    record(best, report);
+    is_improved = true;
+  }
+  return is_improved;
+}
+
+/// moves, or drops, terminals of a cut as long as that lowers its score: first by large steps, then by smaller ones
+/// \param work number of vertices that may be mapped to score cuts
+inline void refine_cut(Cut_pool& pool, long work, Scored_cut& cut, Cut_report& report)
+{
+  constexpr double FIRST_STEP = 0.12, LAST_STEP = 0.03; // in units of sqrt(area)
+  record(cut, report);
+  work += pool.vertices_mapped();
+  for(double step = FIRST_STEP; step >= LAST_STEP && pool.vertices_mapped() < work;)
+    if(!improve_cut(pool, step * std::sqrt(pool.surface().area), work, cut, report))
+      step /= 2;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REFINE_CUT_H

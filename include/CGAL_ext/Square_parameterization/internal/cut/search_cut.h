@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_H
+
+#include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/refine_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Few_corners_search.h>
+#include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// a copy of about \p faces triangles, and more when there are many handles and holes; nothing when the surface has
+/// hardly more, or cannot be simplified
+inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces)
+{
+  constexpr int FACES_PER_LOOP = 12; // round a hole, or along or round a handle
+  faces += FACES_PER_LOOP * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
+  return surface.number_of_faces() > 5 * faces / 4 ? decimate_surface(surface, faces) : std::nullopt;
+}
+
+/// of the maps by which cuts are judged; relative
+constexpr double JUDGING_TOLERANCE = 1e-3;
+
+/// the stretch of the opened surface when its corners are searched, among few, and its map is minimised as that to be
+/// delivered, but not to its tolerance; infinite when there is no map
+inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance)
+{
+  Balanced_minimization minimization;
+  minimization.balance = balance;
+  minimization.tolerance = minimization.search_tolerance = JUDGING_TOLERANCE;
+  Square_search_options options;
+  options.number_of_threads = 1;
+  try {
+    const Patch patch = patch_of_cut(surface, cut);
+    const Map_minimizer minimizer = minimization.make_minimizer(patch);
+    return search_square_map(patch, minimizer, Few_corners_search(), options).map.report.l2;
+  } catch(const Unmappable&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+/// scores the cuts by their searched stretch
+inline void judge(const Triangle_surface& surface, const Cut_score_options& scoring, Thread_team& team,
+                  std::vector<Scored_cut>& cuts, Cut_report& report)
+{
+  team(cuts.size(), [&](std::size_t i) {
+    Cut_score& score = cuts[i].score;
+    score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
+    score.score = scoring.score(score.stretch, score.length);
+    cuts[i].kind = Cut_step::JUDGED;
+  });
+  for(const Scored_cut& cut : cuts)
+    record(cut, report);
+}
+
+/// the shortest of the cuts whose score is at most by \p tolerance, relative, above the least
+inline const Scored_cut& shortest_of_best(const std::vector<Scored_cut>& cuts, double tolerance)
+{
+  const Scored_cut* best = &*std::min_element(cuts.begin(), cuts.end(), is_better);
+  const double limit = (1 + tolerance) * best->score.score;
+  for(const Scored_cut& cut : cuts)
+    if(cut.score.score <= limit && cut.score.length < best->score.length)
+      best = &cut;
+  return *best;
+}
+
+/// decides on a cut that leaves little stretch: cuts are grown on simple copies, and judged on finer ones
+class Cut_decision
+{
+public:
+  Cut_decision(const Cut_options& options, Thread_team& team, Cut_report& report)
+    : m_max_cut_length(options.max_cut_length), m_team(team), m_report(report)
+  {
+    m_scoring.cut_weight = options.cut_weight;
+    m_scoring.balance = options.balance;
+  }
+
+  /// for a surface of any size: large ones are decided on by a simplified copy
+  Cut operator()(const Triangle_surface& surface)
+  {
+    constexpr int DECISION_FACES = 4000;
+    constexpr double COPY_TOLERANCE = 5e-3; // a copy overrates the stretch of short cuts by about that
+    const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
+    m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
+    return copy ? lift_cut(*copy, decide(*copy, COPY_TOLERANCE), surface) : decide(surface, JUDGING_TOLERANCE);
+  }
+
+private:
+  Cut_pool make_pool(const Triangle_surface& surface) { return {surface, m_scoring, m_max_cut_length, m_team}; }
+
+  /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
+  /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by a search of
+  /// corners and the minimization of the map that is delivered; of a disk the empty cut, too. Where one cut is much
+  /// like another the best is taken unjudged, and where maps are slow: its score is right to a percent or two, and
+  /// judging takes seconds.
+  /// \param tolerance relative: of scores that differ by less the shortest cut wins
+  Cut decide(const Triangle_surface& surface, double tolerance)
+  {
+    constexpr std::size_t JUDGED = 3;
+    constexpr long REFINEMENT_WORK = 30000; // vertices to map
+    Cut_pool pool = make_pool(surface);
+    std::vector<Scored_cut> cuts = pool.start(grown_cuts(surface));
+    std::stable_sort(cuts.begin(), cuts.end(), is_better);
+    const auto is_same = [](const Scored_cut& a, const Scored_cut& b) { return a.cut.edges() == b.cut.edges(); };
+    cuts.erase(std::unique(cuts.begin(), cuts.end(), is_same), cuts.end());
+    refine_cut(pool, REFINEMENT_WORK, cuts.front(), m_report);
+    const bool is_unjudged = has_many_loops(surface) || cuts.front().score.is_slow;
+    cuts.resize((std::min)(cuts.size(), is_unjudged ? 1 : JUDGED), cuts.front());
+    const auto is_empty = [](const Scored_cut& cut) { return cut.cut.edges().empty(); };
+    if(surface.is_disk() && std::none_of(cuts.begin(), cuts.end(), is_empty)) // a cut that is not needed must pay
+      cuts.push_back(pool.start({Cut(surface)}).front());
+    if(cuts.size() > 1)
+      judge(surface, m_scoring, m_team, cuts, m_report);
+    const Scored_cut& best = shortest_of_best(cuts, tolerance);
+    m_report.score = best.score.score;
+    m_report.stretch = best.score.stretch;
+    return best.cut;
+  }
+
+  /// good cuts of different lengths, found on a simple copy. What was grown on a still simpler one competes there, for
+  /// growth ends in one of many local minima.
+  std::vector<Cut> grown_cuts(const Triangle_surface& surface)
+  {
+    constexpr int GROWTH_FACES = 1200, SIMPLER_FACES = 700, SELECTED = 10;
+    const std::optional<Triangle_surface> copy = simplified_copy(surface, GROWTH_FACES);
+    const Triangle_surface& grown = copy ? *copy : surface;
+    Cut_pool pool = make_pool(grown);
+    Cut_growth growth(pool, m_report);
+    std::vector<Cut> cuts{growth.grow(rerouted_initial_cuts(grown, m_team))};
+    if(const std::optional<Triangle_surface> simpler = simplified_copy(grown, SIMPLER_FACES)) {
+      Cut_report ignored;
+      Cut_pool simpler_pool = make_pool(*simpler);
+      const Cut simple = Cut_growth(simpler_pool, ignored).grow(rerouted_initial_cuts(*simpler, m_team));
+      cuts.push_back(lift_cut(*simpler, simple, grown));
+    }
+    growth.polish(cuts);
+    cuts = pool.selection(SELECTED);
+    if(copy)
+      m_team(cuts.size(), [&](std::size_t i) { cuts[i] = lift_cut(grown, cuts[i], surface); });
+    return cuts;
+  }
+
+  Cut_score_options m_scoring;
+  double m_max_cut_length;
+  Thread_team& m_team;
+  Cut_report& m_report;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_H

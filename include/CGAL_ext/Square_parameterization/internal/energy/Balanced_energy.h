@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H
+
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the balanced stretch of a map: the sum over the triangles of their area A times
+///
+///     f(K) = 1/s1^2 + 1/s2^2 + b (s1^2 + s2^2) = |K|^2 / det(K)^2 + b |K|^2
+///
+/// where K is the Jacobian of the map from the triangle's own plane to the uv plane and s1 >= s2 > 0 its singular
+/// values. b = 0 is twice the squared L2 stretch, b = 1 the symmetric Dirichlet energy. It is infinite when a triangle
+/// is not counter-clockwise.
+///
+/// With D twice the uv area and N = |x1 db - x2 da|^2 + y2^2 |da|^2, da and db the uv edges from the first corner and
+/// (x1, 0), (x2, y2) the edges in the plane, |K|^2 = N / (4 A^2) and det K = D / (2 A): a triangle contributes
+///
+///     N (A / D^2 + b / (4 A))
+///
+/// which is a sum of squares times a number, exact for slivers, too.
+class Balanced_energy
+{
+public:
+  Balanced_energy(const Patch& patch, double balance) : m_patch(patch), m_balance(balance) {}
+
+  const Patch& patch() const { return m_patch; }
+  double balance() const { return m_balance; }
+
+  /// the energy of a map (#V by 2)
+  double operator()(const Uv_coordinates& uv) const
+  {
+    double energy = 0;
+    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
+      const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv);
+      if(!(terms.determinant > 0))
+        return std::numeric_limits<double>::infinity();
+      energy += terms.norm * factor(f, terms.determinant);
+    }
+    return energy;
+  }
+
+  /// the energy of a map without flips, and its gradient (#V by 2)
+  double gradient(const Uv_coordinates& uv, Uv_coordinates& gradient) const
+  {
+    gradient.setZero(uv.rows(), 2);
+    double energy = 0;
+    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
+      const auto& t = m_patch.triangles[f];
+      const Flat_triangle& shape = m_patch.shapes[f];
+      const Terms terms(shape, t, uv);
+      const double D = terms.determinant, weight = factor(f, D);
+      energy += terms.norm * weight;
+      // with respect to da and db: weight times the derivative of N, plus N times the derivative of the weight
+      const double by_determinant = -2 * terms.norm * shape.area() / (D * D * D);
+      const Eigen::RowVector2d along = 2 * weight * shape.x1 * terms.across;
+      const Eigen::RowVector2d by_da = 2 * weight * (shape.y2 * shape.y2 * terms.da - shape.x2 * terms.across) +
+                                       by_determinant * Eigen::RowVector2d(terms.db.y(), -terms.db.x());
+      const Eigen::RowVector2d by_db = along + by_determinant * Eigen::RowVector2d(-terms.da.y(), terms.da.x());
+      gradient.row(t[0]) -= by_da + by_db;
+      gradient.row(t[1]) += by_da;
+      gradient.row(t[2]) += by_db;
+    }
+    return energy;
+  }
+
+  /// second derivatives of one triangle with respect to the u of its corners, and to the v; those with respect to an u
+  /// and a v are left out
+  struct Hessian_blocks
+  {
+    std::array<Eigen::Matrix3d, 2> of_axis;
+  };
+
+  /// the blocks of the Hessian of triangle \p f, made positive semidefinite by clamping the negative of its
+  /// eigenvalues, which are known in closed form (Smith, de Goes, Kim 2019).
+  ///
+  /// The total signed area of a map with fixed border, or with a border that slides along the square, is constant, so
+  /// any multiple of det(K) may be added: the objective and its gradient stay, and fewer eigenvalues need clamping.
+  Hessian_blocks hessian_blocks(int f, const Uv_coordinates& uv) const
+  {
+    const Flat_triangle& shape = m_patch.shapes[f];
+    const Modes modes(jacobian(f, uv), m_balance);
+    const double scale = shape.area() / 2;
+    // gradients of the hat functions of corners 1 and 2; that of corner 0 is minus their sum
+    const Eigen::Vector2d g1(1 / shape.x1, -shape.x2 / (shape.x1 * shape.y2)), g2(0, 1 / shape.y2);
+    Hessian_blocks blocks;
+    for(int axis = 0; axis < 2; ++axis) {
+      const Eigen::Matrix2d form = scale * modes.form_on_row(axis);
+      const Eigen::Vector2d h1 = form * g1, h2 = form * g2;
+      const double h11 = g1.dot(h1), h12 = g1.dot(h2), h22 = g2.dot(h2);
+      blocks.of_axis[axis] << h11 + 2 * h12 + h22, -h11 - h12, -h12 - h22, //
+          -h11 - h12, h11, h12,                                            //
+          -h12 - h22, h12, h22;
+    }
+    return blocks;
+  }
+
+private:
+  /// what the energy of a triangle is made of
+  struct Terms
+  {
+    Terms(const Flat_triangle& shape, const std::array<int, 3>& t, const Uv_coordinates& uv)
+      : da(uv.row(t[1]) - uv.row(t[0])),
+        db(uv.row(t[2]) - uv.row(t[0])),
+        across(shape.x1 * db - shape.x2 * da),
+        norm(across.squaredNorm() + shape.y2 * shape.y2 * da.squaredNorm()),
+        determinant(da.x() * db.y() - da.y() * db.x())
+    {}
+
+    Eigen::RowVector2d da, db, across;
+    double norm, determinant; // N and D
+  };
+
+  /// the eigenmodes of f at K, with K = U diag(s1, s2) V^T, and the clamped eigenvalues.
+  ///
+  /// The modes are products of U, V^T and the four matrices diag(1, 1), diag(1, -1), [0 -1; 1 0] and [0 1; 1 0]: the
+  /// first and third depend on the angle of U V^T alone, the others on that of the reflection. f mixes the first two.
+  struct Modes
+  {
+    Modes(const Eigen::Matrix2d& K, double balance)
+    {
+      constexpr double AREA_SHIFT = 2;
+      const double turn_cos = (K(0, 0) + K(1, 1)) / 2, turn_sin = (K(1, 0) - K(0, 1)) / 2;
+      const double mirror_cos = (K(0, 0) - K(1, 1)) / 2, mirror_sin = (K(1, 0) + K(0, 1)) / 2;
+      const double mean = std::sqrt(turn_cos * turn_cos + turn_sin * turn_sin); // (s1 + s2) / 2
+      const double half_difference = std::sqrt(mirror_cos * mirror_cos + mirror_sin * mirror_sin);
+      turn = {turn_cos / mean, turn_sin / mean};
+      mirror = half_difference > 0 ? Eigen::Vector2d(mirror_cos, mirror_sin) / half_difference : Eigen::Vector2d(1, 0);
+      const double s1 = mean + half_difference, s2 = K.determinant() / s1; // mean - half_difference would cancel
+      const double i1 = 1 / (s1 * s1), i2 = 1 / (s2 * s2), cubes = i1 * i2 / (s1 * s2);
+      twist = (std::max)(0., 2 * (balance - (s1 * s1 - s1 * s2 + s2 * s2) * cubes) + AREA_SHIFT);
+      flip = (std::max)(0., 2 * (balance + (s1 * s1 + s1 * s2 + s2 * s2) * cubes) - AREA_SHIFT);
+      const double h11 = 6 * i1 * i1 + 2 * balance, h22 = 6 * i2 * i2 + 2 * balance;
+      scaling << (h11 + h22) / 2 + AREA_SHIFT, (h11 - h22) / 2, (h11 - h22) / 2, (h11 + h22) / 2 - AREA_SHIFT;
+      clamp(scaling);
+    }
+
+    /// the quadratic form on row `axis` of a change of K, times 2
+    Eigen::Matrix2d form_on_row(int axis) const
+    {
+      const double c = turn.x(), s = turn.y(), d = mirror.x(), e = mirror.y();
+      const Eigen::Vector2d same = axis == 0 ? Eigen::Vector2d(c, -s) : Eigen::Vector2d(s, c);
+      const Eigen::Vector2d opposite = axis == 0 ? Eigen::Vector2d(d, e) : Eigen::Vector2d(e, -d);
+      const Eigen::Vector2d twisted = axis == 0 ? Eigen::Vector2d(-s, -c) : Eigen::Vector2d(c, -s);
+      const Eigen::Vector2d flipped = axis == 0 ? Eigen::Vector2d(-e, d) : Eigen::Vector2d(d, e);
+      const Eigen::Matrix2d mixed = same * opposite.transpose();
+      return scaling(0, 0) * same * same.transpose() + scaling(0, 1) * (mixed + mixed.transpose()) +
+             scaling(1, 1) * opposite * opposite.transpose() + twist * twisted * twisted.transpose() +
+             flip * flipped * flipped.transpose();
+    }
+
+    /// replaces a negative eigenvalue of a symmetric matrix with a positive one by zero
+    static void clamp(Eigen::Matrix2d& matrix)
+    {
+      const double mean = (matrix(0, 0) + matrix(1, 1)) / 2, half = (matrix(0, 0) - matrix(1, 1)) / 2;
+      const double radius = std::sqrt(half * half + matrix(0, 1) * matrix(0, 1));
+      if(radius <= mean)
+        return;
+      const Eigen::Vector2d direction(half + radius, matrix(0, 1)); // of the larger eigenvalue; half > 0 here
+      matrix = (mean + radius) / direction.squaredNorm() * direction * direction.transpose();
+    }
+
+    Eigen::Vector2d turn, mirror; // cosine and sine
+    double twist, flip;
+    Eigen::Matrix2d scaling;
+  };
+
+  double factor(int f, double determinant) const
+  {
+    const double area = m_patch.shapes[f].area();
+    return area / (determinant * determinant) + m_balance / (4 * area);
+  }
+
+  Eigen::Matrix2d jacobian(int f, const Uv_coordinates& uv) const
+  {
+    const auto& t = m_patch.triangles[f];
+    const Flat_triangle& shape = m_patch.shapes[f];
+    Eigen::Matrix2d K;
+    K.col(0) = (uv.row(t[1]) - uv.row(t[0])).transpose() / shape.x1;
+    K.col(1) = ((uv.row(t[2]) - uv.row(t[0])).transpose() - shape.x2 * K.col(0)) / shape.y2;
+    return K;
+  }
+
+  const Patch& m_patch;
+  double m_balance;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_CGAL_LINEAR_SOLVER_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_CGAL_LINEAR_SOLVER_H
+
+#include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
+
+#include <utility>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// a linear solver of the package made of a model of CGAL's `SparseLinearAlgebraTraits_d`. The concept solves for one
+/// right-hand side from a matrix given whole: nothing is reused between calls.
+template <class SolverTraits>
+class Cgal_linear_solver : public Linear_solver
+{
+public:
+  /// \param is_upper_triangle the matrices are symmetric and only their upper triangle is stored
+  explicit Cgal_linear_solver(bool is_upper_triangle) : m_is_upper_triangle(is_upper_triangle) {}
+
+  bool factorize(const Sparse_matrix& matrix) override
+  {
+    m_matrix = matrix;
+    return true;
+  }
+
+  bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const override
+  {
+    const int n = static_cast<int>(m_matrix.rows());
+    typename SolverTraits::Matrix a(n, n);
+    for(int column = 0; column < n; ++column)
+      for(Sparse_matrix::InnerIterator entry(m_matrix, column); entry; ++entry) {
+        const int row = static_cast<int>(entry.row());
+        a.set_coef(row, column, entry.value(), true);
+        if(m_is_upper_triangle && row != column)
+          a.set_coef(column, row, entry.value(), true);
+      }
+    solution.resize(n, 2);
+    for(int k = 0; k < 2; ++k) {
+      typename SolverTraits::Vector b(n), x(n);
+      for(int i = 0; i < n; ++i)
+        b[i] = right_hand_sides(i, k);
+      double determinant = 1;
+      SolverTraits solver;
+      if(!solver.linear_solver(a, b, x, determinant))
+        return false;
+      for(int i = 0; i < n; ++i)
+        solution(i, k) = x[i] / determinant;
+    }
+    return solution.allFinite();
+  }
+
+private:
+  bool m_is_upper_triangle;
+  Sparse_matrix m_matrix;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_CGAL_LINEAR_SOLVER_H

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_SPARSE_PATTERN_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_SPARSE_PATTERN_H
+
+#include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
+
+#include <Eigen/OrderingMethods>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the place of each node of a graph in an order that keeps the fill of a factorization low
+/// \param edges pairs of nodes in 0, ..., \p number_of_nodes - 1
+inline std::vector<int> fill_reducing_order(int number_of_nodes, const std::vector<std::array<int, 2>>& edges)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for(int i = 0; i < number_of_nodes; ++i) // rows without a diagonal entry would all be ordered last
+    entries.emplace_back(i, i, 1.);
+  for(const auto& [i, j] : edges) {
+    entries.emplace_back(i, j, 1.);
+    entries.emplace_back(j, i, 1.);
+  }
+  Sparse_matrix adjacency(number_of_nodes, number_of_nodes);
+  adjacency.setFromTriplets(entries.begin(), entries.end());
+  Eigen::AMDOrdering<int>::PermutationType node_at;
+  Eigen::AMDOrdering<int>()(adjacency, node_at);
+  std::vector<int> place(number_of_nodes);
+  for(int i = 0; i < number_of_nodes; ++i)
+    place[node_at.indices()[i]] = i;
+  return place;
+}
+
+/// where the values of \p pattern hold the entry at \p row and \p column
+/// \pre the pattern is compressed and has that entry
+inline int slot_of(const Sparse_matrix& pattern, int row, int column)
+{
+  const int* const rows = pattern.innerIndexPtr();
+  const int *begin = rows + pattern.outerIndexPtr()[column], *end = rows + pattern.outerIndexPtr()[column + 1];
+  return static_cast<int>(std::lower_bound(begin, end, row) - rows);
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_SPARSE_PATTERN_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H
+
+#include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Axis_preconditioner.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Secant_memory.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
+
+#include <optional>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the numbers of the minimizer; see `Balanced_minimization` for their meaning and defaults
+struct Balanced_options
+{
+  double balance = 0.3;
+  bool is_border_sliding = true;
+  double search_tolerance = 1e-4; // of each candidate
+  double tolerance = 1e-5;        // of the delivered map
+  unsigned int maximum_iterations = 1000;
+};
+
+/// minimises the balanced energy from a map without flips, and never leaves the maps without flips: L-BFGS with the
+/// blocks of the Hessian as preconditioner, and one sweep over the vertices after each step.
+///
+/// A step goes at most nine tenths of the way to the first triangle without area; the line search halves. The sweep
+/// then mends the triangles that stood in the way, which would keep the next steps short, too.
+class Balanced_minimizer
+{
+public:
+  /// the memory of one thread
+  struct Workspace
+  {
+    Axis_preconditioner::Factors factors;
+    Uv_coordinates gradient, previous_gradient, direction, trial;
+  };
+
+  Balanced_minimizer(const Patch& patch, const Balanced_options& options)
+    : m_energy(patch, options.balance), m_preconditioner(patch), m_sweep(patch, options.balance), m_options(options)
+  {}
+
+  const Patch& patch() const { return m_energy.patch(); }
+
+  /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`
+  void relax(Uv_coordinates& uv) const
+  {
+    constexpr double LEAST_GAIN = 5e-4; // relative
+    constexpr int MAXIMUM_SWEEPS = 200;
+    const Free_coordinates is_free = free_coordinates(patch(), uv, m_options.is_border_sliding);
+    double energy = m_energy(uv);
+    for(int i = 0; i < MAXIMUM_SWEEPS; ++i) {
+      m_sweep(is_free, uv);
+      const double reached = m_energy(uv);
+      if(energy - reached < LEAST_GAIN * energy)
+        return;
+      energy = reached;
+    }
+  }
+
+  /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less
+  /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
+  ///      iterations and its history, too
+  Minimized_map minimize(Minimized_map map, double tolerance, Workspace& workspace) const
+  {
+    constexpr std::size_t MEMORY = 8;
+    const Free_coordinates is_free = free_coordinates(patch(), map.uv, m_options.is_border_sliding);
+    Minimization_report& report = map.report;
+    Secant_memory memory(MEMORY);
+    report.objective = gradient_at(map.uv, is_free, workspace.gradient);
+    if(report.history.empty())
+      report.history.push_back(report.objective);
+    unsigned int age = 0; // of the factors
+    while(true) {
+      if(report.iterations == m_options.maximum_iterations) {
+        report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
+        break;
+      }
+      if(age == 0 && !m_preconditioner.factorize(m_energy, map.uv, is_free, workspace.factors)) {
+        report.stop_reason = Stop_reason::CANNOT_SOLVE;
+        break;
+      }
+      const double slope = find_direction(memory, workspace);
+      if(-slope / 2 <= tolerance * report.objective || gains_little(report.history, tolerance)) {
+        report.stop_reason = Stop_reason::CONVERGED;
+        break;
+      }
+      const std::optional<double> length = search_line(report.objective, slope, map.uv, workspace);
+      if(!length) {
+        if(age == 0 && memory.is_empty()) {
+          report.stop_reason = Stop_reason::NO_LOWER_MAP;
+          break;
+        }
+        memory.clear();
+        age = 0;
+        continue;
+      }
+      report.objective = step(is_free, memory, map.uv, workspace);
+      report.best_iteration = ++report.iterations;
+      report.history.push_back(report.objective);
+      age = (age + 1) % lifetime_of_factors(report.iterations);
+    }
+    report.gradient_norm = workspace.gradient.norm();
+    report.l2 = std::sqrt(stretch_energy(patch(), map.uv));
+    return map;
+  }
+
+  /// sweeps over a minimised map a few times: what is left in tiny triangles counts for nothing in the energy, but may
+  /// be the largest stretch of all
+  void settle(Minimized_map& map) const
+  {
+    constexpr int SWEEPS = 5;
+    const Free_coordinates is_free = free_coordinates(patch(), map.uv, m_options.is_border_sliding);
+    for(int i = 0; i < SWEEPS; ++i)
+      m_sweep(is_free, map.uv);
+    Uv_coordinates gradient;
+    map.report.objective = map.report.history.back() = gradient_at(map.uv, is_free, gradient);
+    map.report.gradient_norm = gradient.norm();
+    map.report.l2 = std::sqrt(stretch_energy(patch(), map.uv));
+  }
+
+private:
+  /// far from the minimum the Hessian changes more from step to step
+  static unsigned int lifetime_of_factors(unsigned int iterations) { return iterations <= 8 ? 4 : 8; }
+
+  static bool gains_little(const std::vector<double>& history, double tolerance)
+  {
+    constexpr std::size_t STEPS = 5;
+    return history.size() > STEPS && history[history.size() - 1 - STEPS] - history.back() <= tolerance * history.back();
+  }
+
+  double gradient_at(const Uv_coordinates& uv, const Free_coordinates& is_free, Uv_coordinates& gradient) const
+  {
+    const double energy = m_energy.gradient(uv, gradient);
+    gradient = is_free.select(gradient, 0.);
+    return energy;
+  }
+
+  /// sets the direction of descent and returns the slope along it; forgets the memory when that leads upwards
+  double find_direction(Secant_memory& memory, Workspace& workspace) const
+  {
+    const auto precondition = [&](Uv_coordinates& x) { m_preconditioner.apply(workspace.factors, x); };
+    workspace.direction = -workspace.gradient;
+    memory.apply(precondition, workspace.direction);
+    double slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+    if(!(slope < 0) && !memory.is_empty()) {
+      memory.clear();
+      workspace.direction = -workspace.gradient;
+      precondition(workspace.direction);
+      slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+    }
+    return slope;
+  }
+
+  /// sets the trial to a map of lower energy on the line from \p uv and returns the length of the step; none when there
+  /// is none
+  std::optional<double> search_line(double energy, double slope, const Uv_coordinates& uv, Workspace& workspace) const
+  {
+    constexpr double SUFFICIENT_DECREASE = 1e-4, SAFETY = 0.9;
+    constexpr int MAXIMUM_HALVINGS = 40;
+    double length = (std::min)(1., SAFETY * largest_step(patch(), uv, workspace.direction));
+    for(int i = 0; i < MAXIMUM_HALVINGS; ++i, length /= 2) {
+      workspace.trial = uv + length * workspace.direction;
+      if(m_energy(workspace.trial) <= energy + SUFFICIENT_DECREASE * length * slope)
+        return length;
+    }
+    return {};
+  }
+
+  /// sweeps over the trial, makes it the map, remembers the step, and returns the energy
+  double step(const Free_coordinates& is_free, Secant_memory& memory, Uv_coordinates& uv, Workspace& workspace) const
+  {
+    m_sweep(is_free, workspace.trial);
+    workspace.previous_gradient.swap(workspace.gradient);
+    const double energy = gradient_at(workspace.trial, is_free, workspace.gradient);
+    memory.add(workspace.trial - uv, workspace.gradient - workspace.previous_gradient);
+    uv.swap(workspace.trial);
+    return energy;
+  }
+
+  Balanced_energy m_energy;
+  Axis_preconditioner m_preconditioner;
+  Vertex_sweep m_sweep;
+  Balanced_options m_options;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H

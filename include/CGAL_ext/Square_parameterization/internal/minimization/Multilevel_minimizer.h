@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MULTILEVEL_MINIMIZER_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MULTILEVEL_MINIMIZER_H
+
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_sequence.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/transport_map.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
+
+#include <deque>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// minimises the balanced energy from coarse to fine: maps the coarsest of a sequence of ever coarser patches by the
+/// iteration of Yoshizawa et al.; then, patch by patch, minimises, puts vertices back, and smooths by sweeps.
+///
+/// The first map of a patch with long protrusions or passages, as many holes and handles leave them, has triangles too
+/// tiny for floating-point numbers, and folded surfaces are not made coarse enough to avoid that. Then patches follow
+/// that do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a
+/// start.
+///
+/// Constant after construction: several threads may call `minimize()`, each with a workspace of its own. The patches do
+/// not depend on the places of the border vertices, and serve all maps.
+class Multilevel_minimizer
+{
+public:
+  /// the memory of one thread
+  struct Workspace
+  {
+    std::deque<Stretch_iteration::Workspace> starts;  // they cannot be moved
+    std::deque<Balanced_minimizer::Workspace> levels; // nor these
+  };
+
+  typedef std::function<Stretch_iteration(const Patch&)> Iteration_factory;
+
+  /// \param may_coarsen_border false for maps onto other borders than the unit square, too
+  Multilevel_minimizer(const Patch& patch, Iteration_factory make_iteration, const Balanced_options& options,
+                       bool may_coarsen_border = true)
+    : m_patches(patch, may_coarsen_border && options.is_border_sliding),
+      m_make_iteration(std::move(make_iteration)),
+      m_options(options)
+  {
+    Balanced_options coarse_options = options;
+    coarse_options.balance = (std::max)(options.balance, LEAST_COARSE_BALANCE);
+    coarse_options.maximum_iterations = COARSE_ITERATIONS;
+    m_coarse_balance = coarse_options.balance;
+    m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options));
+    // thin protrusions cannot be shortened without thinner triangles
+    coarsen({0.7, 0.05}, coarse_options);
+    m_warm_level = m_patches.finest_with(LARGEST_WARM_START);
+    m_sketch_level = m_patches.finest_with(LARGEST_SKETCH);
+    coarsen({std::nullopt}, coarse_options);
+  }
+
+  /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
+  /// flips was found to start from: for want of room, too, where the corners are close together and `keeps_border()` is
+  /// false.
+  /// \pre the border is on the unit square, or `keeps_border()`
+  /// \param warm_start of a map for a similar border, the map of one of the coarse patches; it saves the coarser ones.
+  ///        May be null.
+  Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
+                         const Uv_coordinates* warm_start = nullptr) const
+  {
+    Uv_coordinates uv;
+    Descent descent;
+    prepare(workspace);
+    const Patch_sequence::Borders borders = m_patches.borders(border_uv);
+    if(warm_start != nullptr && m_warm_level < borders.size())
+      uv = refine(m_warm_level, 0, transport_map(m_patches[m_warm_level], *warm_start, borders[m_warm_level].uv),
+                  borders, workspace, descent);
+    if(uv.rows() == 0)
+      uv = start(borders, 0, workspace, descent);
+    if(uv.rows() == 0 && m_patches.size() > 1) { // some coarse triangle was lost in rounding
+      Stretch_iteration::Workspace iteration_workspace;
+      uv = m_make_iteration(m_patches[0]).minimize(border_uv, 1, iteration_workspace).uv;
+    }
+    if(uv.rows() == 0)
+      return Minimized_map();
+    m_minimizers[0]->relax(uv);
+    Minimized_map map =
+        m_minimizers[0]->minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[0]);
+    map.warm_start = m_warm_level == 0 ? map.uv : std::move(descent.warm_start);
+    return map;
+  }
+
+  /// indicates whether the coarse patches have the border of the patch
+  bool keeps_border() const { return m_patches.keeps_border(); }
+
+  /// indicates whether the patch is so large that sketches save time
+  bool has_sketches() const
+  {
+    const int vertices = m_patches[0].number_of_vertices();
+    return vertices >= SMALLEST_SKETCHED && 4 * m_patches[m_sketch_level].number_of_vertices() <= vertices;
+  }
+
+  /// the least energy of one of the coarse patches for the border \p border_uv, by which borders can be compared: what
+  /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
+  /// \pre `has_sketches()`
+  Minimized_map sketch(const Uv_coordinates& border_uv, Workspace& workspace) const
+  {
+    Descent descent;
+    prepare(workspace);
+    Uv_coordinates uv = start(m_patches.borders(border_uv), m_sketch_level, workspace, descent);
+    if(uv.rows() == 0)
+      return Minimized_map();
+    const Balanced_minimizer& minimizer = *m_minimizers[m_sketch_level];
+    minimizer.relax(uv);
+    Minimized_map map =
+        minimizer.minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[m_sketch_level]);
+    map.uv.resize(0, 2);
+    return map;
+  }
+
+  /// continues with a map of `minimize()`, to the tolerance of the map that is delivered, and settles it
+  Minimized_map finish(Minimized_map map) const
+  {
+    Balanced_minimizer::Workspace workspace;
+    map = m_minimizers[0]->minimize(std::move(map), m_options.tolerance, workspace);
+    m_minimizers[0]->settle(map);
+    return map;
+  }
+
+  /// what is minimised, of a map
+  double energy(const Uv_coordinates& uv) const { return Balanced_energy(m_patches[0], m_options.balance)(uv); }
+
+private:
+  // pure L2 stretch tears coarse maps open elsewhere than fine ones; a little balance keeps them alike
+  static constexpr double LEAST_COARSE_BALANCE = 0.1;
+  // a coarse patch is where saddle points, as symmetric meshes have them, are left at little cost
+  static constexpr double COARSE_TOLERANCE = 1e-5;
+  static constexpr unsigned int COARSE_ITERATIONS = 200;
+  static constexpr int LARGEST_WARM_START = 1000; // vertices; above, to transport a map costs more than it saves
+  static constexpr int LARGEST_SKETCH = 2000;     // vertices: enough to tell borders apart
+  static constexpr int SMALLEST_SKETCHED = 8000;  // vertices
+
+  static constexpr double HOPELESS = 1e4; // energy: a map with a stretch of a hundred is hardly ever led out of it
+
+  /// how a coarse patch is mapped
+  struct Start
+  {
+    std::size_t level;
+    std::unique_ptr<Stretch_iteration> iteration;
+  };
+
+  /// a way from coarse to fine
+  struct Descent
+  {
+    double largest_energy = HOPELESS;
+    bool is_given_up = false;  ///< an energy on the way was larger
+    Uv_coordinates warm_start; ///< the map of one of the patches on the way
+  };
+
+  /// adds patches as long as they get coarser, and a start from the last of them
+  void coarsen(Patch_sequence::Shapes_kept shapes_kept, const Balanced_options& options)
+  {
+    m_patches.coarsen(shapes_kept);
+    while(m_minimizers.size() < m_patches.size())
+      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(m_patches[m_minimizers.size()], options));
+    const std::size_t coarsest = m_patches.size() - 1;
+    if(m_starts.empty() || m_starts.back().level < coarsest)
+      m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_make_iteration(m_patches[coarsest]))});
+  }
+
+  void prepare(Workspace& workspace) const
+  {
+    while(workspace.levels.size() < m_minimizers.size())
+      workspace.levels.emplace_back();
+    workspace.starts.resize(m_starts.size());
+  }
+
+  /// a map of the patch of level \p to, from the first start that works well, or else at all; without rows when none
+  /// does
+  Uv_coordinates start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
+                       Descent& descent) const
+  {
+    Uv_coordinates uv = first_working_start(borders, to, workspace, descent);
+    if(uv.rows() == 0 && descent.is_given_up) {
+      descent.largest_energy = std::numeric_limits<double>::infinity();
+      uv = first_working_start(borders, to, workspace, descent);
+    }
+    return uv;
+  }
+
+  Uv_coordinates first_working_start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
+                                     Descent& descent) const
+  {
+    Uv_coordinates uv;
+    for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
+      const auto& [level, iteration] = m_starts[i];
+      uv = refine(level, to, iteration->minimize(borders[level].uv, 1, workspace.starts[i]).uv, borders, workspace,
+                  descent);
+    }
+    return uv;
+  }
+
+  /// brings a map of the patch of one level to that of another, ready to be minimised; without rows when a triangle is
+  /// lost in rounding, when the way is given up, or when \p uv has none
+  Uv_coordinates refine(std::size_t level, std::size_t to, Uv_coordinates uv, const Patch_sequence::Borders& borders,
+                        Workspace& workspace, Descent& descent) const
+  {
+    for(; level > to && uv.rows() > 0; --level) {
+      m_minimizers[level]->relax(uv);
+      Minimized_map map =
+          m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]);
+      if(map.report.objective > descent.largest_energy) {
+        descent.is_given_up = true;
+        return Uv_coordinates();
+      }
+      uv = std::move(map.uv);
+      if(level == m_warm_level)
+        descent.warm_start = uv;
+      auto finer = insert_vertices(m_patches[level - 1], m_patches.coarse(level), uv, borders[level].removed_corners,
+                                   m_coarse_balance);
+      uv = finer ? std::move(*finer) : Uv_coordinates();
+    }
+    return uv;
+  }
+
+  Patch_sequence m_patches;
+  std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
+  std::vector<Start> m_starts; // from the coarsest that keeps its shape, and from the coarsest
+  Iteration_factory m_make_iteration;
+  Balanced_options m_options;
+  double m_coarse_balance = 0;
+  std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
+  std::size_t m_sketch_level = 0; // of the patch whose maps are compared
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MULTILEVEL_MINIMIZER_H

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_PATCH_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_PATCH_H
+
+#include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Flat_triangle.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/number_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// uv coordinates, #V by 2: row `v` is the image of vertex `v`
+using Uv_coordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+/// a topological disk as flat arrays: the form in which everything below the plug-ins sees a mesh.
+///
+/// Lengths are scaled so that the area of the patch is 1, the area of the square it will be mapped to. A
+/// degenerate face counts with the shape that `widened()` gives it, as short a border edge as `LEAST_LENGTH` long.
+struct Patch
+{
+  std::vector<Eigen::Vector3d> points;            ///< #V
+  std::vector<std::array<int, 3>> triangles;      ///< #F, vertices counter-clockwise
+  std::vector<Flat_triangle> shapes;              ///< #F
+  std::vector<int> border;                        ///< #B vertices, counter-clockwise in uv
+  std::vector<double> border_lengths;             ///< #B, edge k joins border[k] and border[k + 1]
+  std::vector<std::array<int, 2>> edges;          ///< #E, first index lower, sorted
+  std::vector<std::array<int, 3>> triangle_edges; ///< #F, edge k is opposite to corner k
+  std::vector<std::array<int, 2>> chords;         ///< interior edges between two border vertices
+  std::vector<double> vertex_areas;               ///< #V, area of the incident triangles
+  std::vector<int> degenerate_faces;              ///< lower than `least_height`, ascending
+  double least_height = 0; ///< `DEGENERATE_HEIGHT`, or more where coordinates carry less information
+  double rounding = 0;     ///< length below which the points carry no information
+
+  int number_of_vertices() const { return static_cast<int>(points.size()); }
+  int number_of_faces() const { return static_cast<int>(triangles.size()); }
+};
+
+/// the rows of \p uv (#V by 2) for the border vertices: #B by 2
+inline Uv_coordinates border_coordinates(const Patch& patch, const Uv_coordinates& uv)
+{
+  Uv_coordinates border(patch.border.size(), 2);
+  for(std::size_t k = 0; k < patch.border.size(); ++k)
+    border.row(k) = uv.row(patch.border[k]);
+  return border;
+}
+
+/// multiplies the points by a power of two so that the largest coordinate is near 1: exact, and no square overflows.
+/// The points are moved to their centre first, so that a far origin costs no digits afterwards.
+/// Returns the length, after scaling, below which the coordinates carry no information.
+inline double normalise_coordinates(std::vector<Eigen::Vector3d>& points)
+{
+  Eigen::AlignedBox3d box;
+  for(std::size_t v = 0; v < points.size(); ++v) {
+    if(!points[v].allFinite())
+      throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                       "vertex " + std::to_string(v) + " has a coordinate that is not finite");
+    box.extend(points[v]);
+  }
+  const Eigen::Vector3d center = box.min() / 2 + box.max() / 2;
+  const double largest = (std::max)(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double radius = (box.max() - center).cwiseAbs().maxCoeff();
+  if(!(radius > 0))
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
+                     "the surface has no extent: all its vertices coincide");
+  const int exponent = -std::ilogb(radius);
+  for(Eigen::Vector3d& p : points)
+    p = (p - center).unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+  return 2 * std::numeric_limits<double>::epsilon() * std::ldexp(largest, exponent);
+}
+
+/// sets the edges, and the chords, of a patch whose triangles and border are set
+inline void set_edges(Edge_numbering numbering, Patch& patch)
+{
+  std::vector<bool> is_on_border(patch.points.size(), false);
+  for(int v : patch.border)
+    is_on_border[v] = true;
+  patch.edges = std::move(numbering.edges);
+  patch.triangle_edges = std::move(numbering.triangle_edges);
+  patch.chords.clear();
+  for(std::size_t e = 0; e < patch.edges.size(); ++e)
+    if(numbering.number_of_triangles[e] == 2 && is_on_border[patch.edges[e][0]] && is_on_border[patch.edges[e][1]])
+      patch.chords.push_back(patch.edges[e]);
+}
+
+/// lays a triangle between points of the patch into the plane; see `widened()` for a degenerate one
+inline Flat_triangle shape_between(const Patch& patch, int a, int b, int c)
+{
+  const Eigen::Vector3d &p = patch.points[a], &q = patch.points[b], &r = patch.points[c];
+  const Flat_triangle shape = flatten(p, q, r, patch.least_height);
+  return shape.y2 > 0 ? shape : widened(p, q, r, LEAST_LENGTH);
+}
+
+/// the shapes of the faces as their points have them: some have no area
+inline std::vector<Flat_triangle> shapes_as_given(const Patch& patch)
+{
+  std::vector<Flat_triangle> shapes = patch.shapes;
+  for(int f : patch.degenerate_faces) {
+    const auto& [a, b, c] = patch.triangles[f];
+    shapes[f] = flatten(patch.points[a], patch.points[b], patch.points[c], patch.rounding);
+  }
+  return shapes;
+}
+
+/// the surface has no shape that could be mapped
+[[noreturn]] inline void refuse_without_extent(std::size_t faces)
+{
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
+                   "the surface has no extent: all of its " + std::to_string(faces) + " faces are without area");
+}
+
+/// multiplies all lengths
+inline void scale_patch(double scale, Patch& patch)
+{
+  for(Eigen::Vector3d& p : patch.points)
+    p *= scale;
+  for(Flat_triangle& shape : patch.shapes)
+    shape = {shape.x1 * scale, shape.x2 * scale, shape.y2 * scale};
+  patch.rounding *= scale;
+  patch.least_height *= scale;
+}
+
+/// fills the shapes and the degenerate faces of a patch whose points are normalised, and scales it to area 1
+inline void measure_faces(Patch& patch)
+{
+  double area = 0;
+  for(const auto& [a, b, c] : patch.triangles) {
+    patch.shapes.push_back(flatten(patch.points[a], patch.points[b], patch.points[c], patch.rounding));
+    area += patch.shapes.back().area();
+  }
+  if(!(area > 0))
+    refuse_without_extent(patch.triangles.size());
+  scale_patch(1 / std::sqrt(area), patch);
+  patch.least_height = (std::max)(DEGENERATE_HEIGHT, patch.rounding);
+  for(int f = 0; f < patch.number_of_faces(); ++f) {
+    const auto& [a, b, c] = patch.triangles[f];
+    if(flatten(patch.points[a], patch.points[b], patch.points[c], patch.least_height).y2 == 0)
+      patch.degenerate_faces.push_back(f);
+  }
+  if(patch.degenerate_faces.empty())
+    return;
+  area = 1;
+  for(int f : patch.degenerate_faces) {
+    const auto& [a, b, c] = patch.triangles[f];
+    area -= patch.shapes[f].area();
+    patch.shapes[f] = widened(patch.points[a], patch.points[b], patch.points[c], LEAST_LENGTH);
+    area += patch.shapes[f].area();
+  }
+  scale_patch(1 / std::sqrt(area), patch);
+}
+
+/// the lengths of the border edges of a patch whose faces are measured; an edge shorter than `least_height` counts as
+/// `LEAST_LENGTH`, for positions on a curve must be distinct
+inline std::vector<double> border_lengths(const Patch& patch)
+{
+  std::vector<double> lengths;
+  for(std::size_t k = 0; k < patch.border.size(); ++k) {
+    const int from = patch.border[k], to = patch.border[(k + 1) % patch.border.size()];
+    const double length = (patch.points[to] - patch.points[from]).norm();
+    lengths.push_back(length > patch.least_height ? length : LEAST_LENGTH);
+  }
+  return lengths;
+}
+
+/// makes a patch without edges and areas of vertices, scaled to area 1. Throws `Unmappable` when a coordinate is not
+/// finite, or all triangles are so thin that their size is lost in the rounding of the coordinates.
+inline Patch measured_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
+                            std::vector<int> border)
+{
+  Patch patch;
+  patch.points = std::move(points);
+  patch.triangles = std::move(triangles);
+  patch.border = std::move(border);
+  patch.rounding = normalise_coordinates(patch.points);
+  measure_faces(patch);
+  patch.border_lengths = border_lengths(patch);
+  return patch;
+}
+
+/// makes a patch of a disk: \p points #V, \p triangles #F, consistently oriented, \p border its vertices
+/// counter-clockwise. Every vertex must belong to a triangle.
+///
+/// Throws `Unmappable` when the border has fewer than four vertices, and as `measured_patch()`.
+/// Complexity: linear but for the sorting of the edges at a vertex.
+inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
+                        std::vector<int> border)
+{
+  namespace SMP = CGAL::Surface_mesh_parameterization;
+  if(triangles.empty())
+    throw Unmappable(SMP::ERROR_EMPTY_MESH, "the surface has no faces");
+  if(border.size() < 4)
+    throw Unmappable(SMP::ERROR_BORDER_TOO_SHORT,
+                     "the border has " + std::to_string(border.size()) + " vertices; a square needs at least four");
+  Patch patch = measured_patch(std::move(points), std::move(triangles), std::move(border));
+  patch.vertex_areas.assign(patch.points.size(), 0.);
+  for(int f = 0; f < patch.number_of_faces(); ++f)
+    for(int v : patch.triangles[f])
+      patch.vertex_areas[v] += patch.shapes[f].area();
+  set_edges(number_edges(patch.points.size(), patch.triangles), patch);
+  return patch;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_PATCH_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_WRITE_UV_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_WRITE_UV_H
+
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// writes row `k` of \p uv for `vertices[k]`, in the number type of the map, and marks the vertex as parameterized
+template <class Vertex, class VertexUVMap, class VertexParameterizedMap>
+void write_uv(const std::vector<Vertex>& vertices, const Uv_coordinates& uv, VertexUVMap uvmap,
+              VertexParameterizedMap vpmap)
+{
+  typedef typename boost::property_traits<VertexUVMap>::value_type Point_2;
+  typedef typename CGAL::Kernel_traits<Point_2>::Kernel::FT FT;
+  for(std::size_t k = 0; k < vertices.size(); ++k) {
+    put(uvmap, vertices[k], Point_2(FT(uv(k, 0)), FT(uv(k, 1))));
+    put(vpmap, vertices[k], true);
+  }
+}
+
+/// reads row `k` of the result from `vertices[k]`
+template <class Vertex, class VertexUVMap>
+Uv_coordinates read_uv(const std::vector<Vertex>& vertices, VertexUVMap uvmap)
+{
+  Uv_coordinates uv(vertices.size(), 2);
+  for(std::size_t k = 0; k < vertices.size(); ++k) {
+    const auto& p = get(uvmap, vertices[k]);
+    uv(k, 0) = CGAL::to_double(p.x());
+    uv(k, 1) = CGAL::to_double(p.y());
+  }
+  return uv;
+}
+
+/// the mesh vertices at the given vertices of a patch
+template <class Vertex>
+std::vector<Vertex> select(const std::vector<Vertex>& vertices, const std::vector<int>& selection)
+{
+  std::vector<Vertex> selected;
+  for(int v : selection)
+    selected.push_back(vertices[v]);
+  return selected;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_WRITE_UV_H

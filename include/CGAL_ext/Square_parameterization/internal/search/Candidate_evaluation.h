@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CANDIDATE_EVALUATION_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CANDIDATE_EVALUATION_H
+
+#include <CGAL_ext/Square_parameterization/Search_visitor.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the number of threads that 0 stands for
+inline unsigned int default_number_of_threads()
+{
+  return static_cast<unsigned int>(tbb::this_task_arena::max_concurrency());
+}
+
+/// the number of threads that map a surface of \p number_of_vertices: as many as asked for; for 0 all cores, but for
+/// large surfaces no more than have room in about 2 GB
+inline unsigned int number_of_search_threads(unsigned int number_of_threads, int number_of_vertices)
+{
+  constexpr int MOST_VERTICES = 1000000; // of all maps under way: each takes 1 to 3 kB
+  if(number_of_threads != 0)
+    return number_of_threads;
+  return std::clamp(static_cast<unsigned int>(MOST_VERTICES / (std::max)(1, number_of_vertices)), 1u,
+                    default_number_of_threads());
+}
+
+/// thrown out of a strategy by the evaluation when the callback or the visitor asks to stop
+struct Search_cancelled
+{
+};
+
+/// maps candidates concurrently, each at most once, and keeps their objectives and the best map.
+///
+/// The result does not depend on the number of threads: each map is computed from its candidate alone, and among equal
+/// objectives the lowest candidate wins. Memory: one map, one workspace per thread, and one number per evaluation.
+class Candidate_evaluation
+{
+public:
+  /// maps one candidate, from the warm start of a neighbor if that is not null; called by one thread at a time
+  using Worker = std::function<Minimized_map(int candidate, const Uv_coordinates* warm_start)>;
+
+  /// \param make_worker makes the worker of a thread
+  /// \param number_of_threads 0 for all cores
+  /// \param callback asked before each evaluation, with the share of the candidates evaluated so far; `false` stops.
+  ///        May be empty.
+  Candidate_evaluation(int number_of_candidates, const std::function<Worker()>& make_worker,
+                       unsigned int number_of_threads, Search_visitor* visitor, std::function<bool(double)> callback)
+    : m_number_of_candidates(number_of_candidates),
+      m_workers(make_worker),
+      m_team(number_of_threads, number_of_candidates),
+      m_visitor(visitor),
+      m_callback(std::move(callback))
+  {}
+
+  /// the objective of \p candidates, in their order. Throws `Search_cancelled` as soon as the candidates that are under
+  /// way are finished when the callback or the visitor asks to stop.
+  /// \param start_from_neighbors maps start from the nearest candidate of an earlier call (ties: the lower index) of
+  ///        which the warm start was kept, as those of these calls are
+  std::vector<double> operator()(const std::vector<int>& candidates, bool start_from_neighbors = false)
+  {
+    std::vector<int> missing;
+    std::vector<const Uv_coordinates*> warm_starts;
+    for(int candidate : candidates)
+      if(m_samples.emplace(candidate, Search_report::Sample{candidate, INFEASIBLE, INFEASIBLE}).second) {
+        missing.push_back(candidate);
+        warm_starts.push_back(start_from_neighbors ? nearest_warm_start(candidate) : nullptr);
+      }
+    std::vector<char> is_done(missing.size(), false);
+    m_team(missing.size(), [&](std::size_t i) {
+      if(!may_continue())
+        return;
+      evaluate(missing[i], warm_starts[i], start_from_neighbors);
+      is_done[i] = true;
+    });
+    for(std::size_t i = 0; i < missing.size(); ++i)
+      if(!is_done[i])
+        m_samples.erase(missing[i]);
+    if(m_is_cancelled)
+      throw Search_cancelled();
+    std::vector<double> result;
+    for(int candidate : candidates)
+      result.push_back(m_samples.at(candidate).objective);
+    return result;
+  }
+
+  const Minimized_map& best_map() const { return m_best_map; }
+
+  /// frees the memory of the threads. \pre no more candidates are evaluated
+  void release_workers() { m_workers.clear(); }
+
+  /// what has been found, but for the corners
+  Search_report report() const
+  {
+    Search_report report;
+    report.candidates = m_number_of_candidates;
+    report.evaluations = m_samples.size();
+    report.best_candidate = m_best_candidate;
+    report.best_objective = m_best_map.report.objective;
+    report.is_cancelled = m_is_cancelled;
+    for(const auto& entry : m_samples)
+      report.curve.push_back(entry.second);
+    return report;
+  }
+
+private:
+  static constexpr double INFEASIBLE = std::numeric_limits<double>::infinity();
+
+  /// asks the callback and the visitor, one thread at a time
+  bool may_continue()
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(!m_is_cancelled && m_callback && !m_callback(double(m_finished) / m_number_of_candidates))
+      m_is_cancelled = true;
+    if(!m_is_cancelled && m_visitor != nullptr && !m_visitor->may_continue())
+      m_is_cancelled = true;
+    return !m_is_cancelled;
+  }
+
+  /// that of the nearest candidate on the ring; null when there is none
+  const Uv_coordinates* nearest_warm_start(int candidate) const
+  {
+    const Uv_coordinates* nearest = nullptr;
+    int least_distance = m_number_of_candidates;
+    for(const auto& [other, warm_start] : m_warm_starts) {
+      const int difference = std::abs(candidate - other);
+      const int distance = (std::min)(difference, m_number_of_candidates - difference);
+      if(distance < least_distance) {
+        least_distance = distance;
+        nearest = &warm_start;
+      }
+    }
+    return nearest;
+  }
+
+  void evaluate(int candidate, const Uv_coordinates* warm_start, bool keeps_warm_start)
+  {
+    Minimized_map map = m_workers.local()(candidate, warm_start);
+    const double objective = map.report.objective;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(keeps_warm_start && map.warm_start.rows() > 0)
+      m_warm_starts[candidate] = map.warm_start;
+    const Search_report::Sample sample{candidate, objective, map.report.l2};
+    m_samples.at(candidate) = sample;
+    ++m_finished;
+    if(objective < m_best_map.report.objective ||
+       (objective == m_best_map.report.objective && candidate < m_best_candidate)) {
+      m_best_candidate = candidate;
+      m_best_map = std::move(map);
+    }
+    if(m_visitor != nullptr)
+      m_visitor->after_evaluation(sample);
+  }
+
+  const int m_number_of_candidates;
+  tbb::enumerable_thread_specific<Worker> m_workers;
+  Thread_team m_team;
+  Search_visitor* m_visitor;
+  std::function<bool(double)> m_callback;
+
+  std::mutex m_mutex; // guards what follows while threads run
+  std::map<int, Search_report::Sample> m_samples;
+  std::map<int, Uv_coordinates> m_warm_starts; // by candidate
+  std::size_t m_finished = 0;
+  int m_best_candidate = -1;
+  Minimized_map m_best_map;
+  bool m_is_cancelled = false;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CANDIDATE_EVALUATION_H

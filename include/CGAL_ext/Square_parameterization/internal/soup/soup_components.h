@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_SOUP_COMPONENTS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_SOUP_COMPONENTS_H
+
+#include <CGAL_ext/Square_parameterization/internal/common/Complaint.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Disjoint_sets.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the connected components of a soup: faces joined by edges, ascending in each. Most faces first, then lowest face
+/// first.
+inline std::vector<std::vector<std::size_t>> components_of(const Surface_soup& soup)
+{
+  Disjoint_sets joined(soup.faces.size());
+  for_each_edge(sides_by_edge(soup.faces), [&joined](auto begin, auto end) {
+    for(auto side = begin; side != end; ++side)
+      joined.union_set(begin->face, side->face);
+  });
+  std::vector<std::size_t> number(soup.faces.size(), soup.faces.size());
+  std::vector<std::vector<std::size_t>> components;
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    std::size_t& component = number[joined.find_set(f)];
+    if(component == soup.faces.size()) {
+      component = components.size();
+      components.emplace_back();
+    }
+    components[component].push_back(f);
+  }
+  std::stable_sort(components.begin(), components.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return components;
+}
+
+/// keeps the faces of one component
+inline void keep_component(const std::vector<std::size_t>& component, Surface_soup& soup)
+{
+  std::vector<std::vector<std::size_t>> faces;
+  for(std::size_t f : component)
+    faces.push_back(std::move(soup.faces[f]));
+  soup.faces = std::move(faces);
+}
+
+/// adds that there are several components, with the sizes of the first few
+inline void complain_about_components(const std::vector<std::vector<std::size_t>>& components, Complaint& complaint)
+{
+  if(components.size() < 2)
+    return;
+  std::vector<std::string> sizes;
+  for(std::size_t k = 0; k < (std::min)(components.size(), NAMED_PLACES); ++k)
+    sizes.push_back(std::to_string(k) + " has " + std::to_string(components[k].size()) +
+                    (components[k].size() == 1 ? " face" : " faces"));
+  complaint.add(components.size(), "", "connected components, of which one can be chosen with --component", sizes);
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_SOUP_COMPONENTS_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_DECIMATE_SURFACE_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_DECIMATE_SURFACE_H
+
+#include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// collapses edges, those of least cost first, until about \p faces triangles are left
+template <class Mesh, class Cost, class Placement>
+void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& placement)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  const std::size_t edges = 3 * static_cast<std::size_t>(faces) / 2;
+  SMS::edge_collapse(
+      mesh, SMS::Count_stop_predicate<Mesh>(edges),
+      CGAL::parameters::get_cost(cost).get_placement(placement).filter(SMS::Bounded_normal_change_filter<>()));
+}
+
+/// a simpler surface of the same topology with about \p faces triangles, or more where the topology needs them; nothing
+/// when simplification spoils the surface
+inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces)
+{
+  constexpr int MANY = 4, STILL_FINE = 3; // times the faces aimed at
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  typedef CGAL::Simple_cartesian<double> Kernel;
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+  Mesh mesh;
+  for(const Eigen::Vector3d& p : surface.points)
+    mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
+  for(const auto& [a, b, c] : surface.triangles)
+    if(mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) == Mesh::null_face())
+      return std::nullopt;
+  // the shortest edges of a fine surface are collapsed in a third of the time, and cost hardly any of its shape
+  if(surface.number_of_faces() > MANY * faces)
+    collapse_edges(mesh, STILL_FINE * faces, SMS::Edge_length_cost<Mesh>(), SMS::Midpoint_placement<Mesh>());
+  collapse_edges(mesh, faces, SMS::LindstromTurk_cost<Mesh>(), SMS::LindstromTurk_placement<Mesh>());
+  mesh.collect_garbage();
+
+  std::vector<Eigen::Vector3d> points;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+  std::vector<std::array<int, 3>> triangles;
+  for(Mesh::Face_index f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const auto number = [](Mesh::Vertex_index v) { return static_cast<int>(v.idx()); };
+    triangles.push_back({number(mesh.source(h)), number(mesh.target(h)), number(mesh.target(mesh.next(h)))});
+  }
+  const bool is_finite = std::all_of(points.begin(), points.end(), [](const auto& p) { return p.allFinite(); });
+  Triangle_surface result = make_triangle_surface(std::move(points), std::move(triangles));
+  if(!is_finite || result.border_loops.size() != surface.border_loops.size() || result.genus() != surface.genus())
+    return std::nullopt;
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_DECIMATE_SURFACE_H

@@ -129,7 +129,7 @@ Answer map_by_quarter_brute_force(Mesh& mesh, Halfedge border, UV_map uv)
 /// one call with the iteration and the search that suits it
 Answer map_by_hybrid_search(Mesh& mesh, Halfedge, UV_map uv)
 {
-  CGAL_ext::Square_map_options options;
+  CGAL_ext::Square_map_options<Mesh> options;
   options.search = CGAL_ext::Hybrid_corner_search();
   options.balanced.reset();
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
@@ -139,7 +139,7 @@ Answer map_by_hybrid_search(Mesh& mesh, Halfedge, UV_map uv)
 /// the least balanced energy for one candidate
 Answer map_one_candidate_optimally(Mesh& mesh, Halfedge, UV_map uv)
 {
-  CGAL_ext::Square_map_options options;
+  CGAL_ext::Square_map_options<Mesh> options;
   options.search = CGAL_ext::First_candidate_corner_search();
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
   return {result.message, result.search.evaluations};

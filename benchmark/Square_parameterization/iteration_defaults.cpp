@@ -49,7 +49,7 @@ void measure(const std::vector<Mesh>& meshes, const std::string& name, const Wei
              unsigned int patience)
 {
   print_setting(name, eta, patience);
-  CGAL_ext::Square_map_options options;
+  CGAL_ext::Square_map_options<Mesh> options;
   options.search = CGAL_ext::Quarter_brute_force_corner_search();
   options.minimization.weights = weights;
   options.minimization.eta = eta;

@@ -83,7 +83,7 @@ void print_balances(const Model& model)
 {
   std::cout << model.name << ", " << model.patch.number_of_faces()
             << " faces               L2     Linf sym.Dir.   angles largest s1 flips\n";
-  Square_map_options paper;
+  Square_map_options<Mesh> paper;
   square_map::apply_paper_preset(paper);
   print_measures("paper, brute force", model.patch,
                  search(model.patch, paper.minimization.make_minimizer(model.patch), Brute_force_corner_search(),

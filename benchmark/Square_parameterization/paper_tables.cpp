@@ -144,7 +144,7 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n' << options;
     return EXIT_FAILURE;
   }
-  CGAL_ext::Square_map_options map_options;
+  CGAL_ext::Square_map_options<Mesh> map_options;
   map_options.balanced.reset(); // the iteration of the paper
   if(preset == "paper")
     square_map::apply_paper_preset(map_options);

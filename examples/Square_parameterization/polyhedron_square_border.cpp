@@ -26,7 +26,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   std::map<Vertex, Kernel::Point_2> uv;
-  CGAL_ext::Square_map_options options;
+  CGAL_ext::Square_map_options<Mesh> options;
   options.search = CGAL_ext::Hybrid_corner_search();
   const auto result = CGAL_ext::parameterize_onto_square(mesh, boost::make_assoc_property_map(uv),
                                                          CGAL_ext::parameters::options(options));

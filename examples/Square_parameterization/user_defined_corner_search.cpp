@@ -49,7 +49,7 @@ int main(int argc, char** argv)
   auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
 
   Progress progress;
-  CGAL_ext::Square_map_options options;
+  CGAL_ext::Square_map_options<Mesh> options;
   options.search = Halving_corner_search();
   options.search_options.visitor = &progress;
   options.search_options.callback = [&](double) { return progress.least > 1.01; }; // good enough

@@ -206,7 +206,7 @@ TEST_CASE("base weights of a user work in the parameterizer and in the free func
       parameterize(mesh, Stretch_minimizing_parameterizer_3<Surface_mesh, Border, Inverse_length_weights>());
   CHECK(is_one_to_one(result, mesh.number_of_faces()));
 
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.minimization.weights = Inverse_length_weights();
   Uv_storage<Surface_mesh, Point_2> storage;
   CHECK(parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options)).status == SMP::OK);
@@ -216,7 +216,7 @@ TEST_CASE("base weights of a user work in the parameterizer and in the free func
 TEST_CASE("a search of a user works in the free function")
 {
   Surface_mesh mesh = curved_mesh();
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = Last_candidate_corner_search();
   Uv_storage<Surface_mesh, Point_2> storage;
   const auto result = parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options));

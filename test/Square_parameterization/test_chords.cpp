@@ -22,7 +22,7 @@ TEST_CASE("chords are split so that every candidate has a map")
   for(auto e : mesh.edges())
     chords += !mesh.is_border(e) && mesh.is_border(mesh.vertex(e, 0)) && mesh.is_border(mesh.vertex(e, 1)) ? 1 : 0;
 
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = Brute_force_corner_search();
   const auto [result, uv] = map_onto_square(mesh, options);
   REQUIRE(result.status == SMP::OK);
@@ -119,7 +119,7 @@ TEST_CASE("real disks are mapped one-to-one for every corner, with their chords 
   }
   Surface_mesh mesh;
   REQUIRE(CGAL::IO::read_OFF(file, mesh));
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = Quarter_brute_force_corner_search();
   options.search_options.callback = [](double share) { return share < 0.1; }; // some candidates are enough
   const auto [result, uv] = map_onto_square(mesh, options);                   // checks the orientation of every face

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "closed_meshes.h"
+#include "opened_surface.h"
 
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_open.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_paths.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_chords.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_edges.h>
 
 #include <catch2/catch.hpp>
 
@@ -314,7 +315,7 @@ TEST_CASE("chords are split, and the disk stays one")
     INFO(named.name);
     const Triangle_surface surface = surface_of(named.mesh);
     const Triangle_surface opened = opened_surface(surface, initial_cut_of(surface));
-    const Triangle_surface split = split_surface_chords(opened);
+    const Triangle_surface split = without_chords(opened);
     check_disk(split.triangles, split.number_of_vertices());
     CHECK(split.area == Approx(surface.area));
     for(int e = 0; e < split.number_of_edges(); ++e)
@@ -327,14 +328,14 @@ TEST_CASE("a border of three edges gets a fourth, where it is longest")
 {
   const Triangle_surface surface = surface_of(without_triangles(ellipsoid(1), {3}));
   REQUIRE(surface.border_loops.front().size() == 3);
-  const Triangle_surface split = lengthen_surface_border(surface);
+  const Triangle_surface split = with_long_border(surface);
   check_disk(split.triangles, split.number_of_vertices());
   REQUIRE(split.border_loops.front().size() == 4);
   CHECK(split.area == Approx(surface.area));
-  CHECK(lengthen_surface_border(split).triangles == split.triangles);
+  CHECK(with_long_border(split).triangles == split.triangles);
 
   const Triangle_surface triangle = surface_of({{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
-  CHECK(lengthen_surface_border(triangle).points.back() == Eigen::Vector3d(2, 1.5, 0));
+  CHECK(with_long_border(triangle).points.back() == Eigen::Vector3d(2, 1.5, 0));
 }
 
 TEST_CASE("a hundred handles are cut in a moment")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "closed_meshes.h"
+#include "opened_surface.h"
 
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 
@@ -21,16 +22,16 @@ struct Decision
   Cut_report report;
 };
 
-Decision decide(const Triangle_surface& surface, const Cut_options& options = {}, const Seams& seams = {})
+Decision decide(const Triangle_surface& surface, const Seam_options& options = {}, const Seams& seams = {})
 {
   Cut_report report;
   Cut cut = cut_to_disk(surface, seams, options, report);
   return {std::move(cut), report};
 }
 
-Cut_options shortest()
+Seam_options shortest()
 {
-  Cut_options options;
+  Seam_options options;
   options.mode = Cut_mode::SHORTEST;
   return options;
 }
@@ -60,7 +61,7 @@ TEST_CASE("every surface is cut to a disk by the short and by the best cut")
   for(const Named_mesh& named : many_surfaces()) {
     INFO(named.name);
     const Triangle_surface surface = surface_of(named.mesh);
-    for(const Cut_options& options : {Cut_options(), shortest()}) {
+    for(const Seam_options& options : {Seam_options(), shortest()}) {
       const Decision decision = decide(surface, options);
       CHECK(opened_surface(surface, decision.cut).is_disk());
       CHECK(decision.report.seam_edges == decision.cut.edges().size());
@@ -90,11 +91,11 @@ TEST_CASE("the best cut is the best that was judged, better than a short one, an
       CHECK(step.score == Approx(step.stretch + 0.05 * step.length));
       CHECK((step.kind != Cut_step::JUDGED || decision.report.score <= 1.001 * step.score));
     }
-    CHECK(decision.report.stretch == searched_stretch(surface, decision.cut, Cut_options().balance));
+    CHECK(decision.report.stretch == searched_stretch(surface, decision.cut, Seam_options().balance));
     CHECK(decision.report.score == Approx(decision.report.stretch + 0.05 * decision.report.cut_length));
     const Decision short_one = decide(surface, shortest());
     CHECK(std::isinf(short_one.report.score));
-    CHECK(decision.report.score <= 1.005 * (searched_stretch(surface, short_one.cut, Cut_options().balance) +
+    CHECK(decision.report.score <= 1.005 * (searched_stretch(surface, short_one.cut, Seam_options().balance) +
                                             0.05 * short_one.report.cut_length));
   }
 }
@@ -102,7 +103,7 @@ TEST_CASE("the best cut is the best that was judged, better than a short one, an
 TEST_CASE("a longer cut of an elongated sphere leaves less stretch, and a heavier weight a shorter cut")
 {
   const Triangle_surface surface = surface_of(ellipsoid(3));
-  Cut_options light, heavy;
+  Seam_options light, heavy;
   light.cut_weight = 0.001;
   heavy.cut_weight = 1;
   const Decision long_cut = decide(surface, light), short_cut = decide(surface, heavy);
@@ -113,7 +114,7 @@ TEST_CASE("a longer cut of an elongated sphere leaves less stretch, and a heavie
 TEST_CASE("no cut is extended beyond the greatest length")
 {
   const Triangle_surface surface = surface_of(ellipsoid(3));
-  Cut_options options;
+  Seam_options options;
   options.cut_weight = 0;
   const double free_length = decide(surface, options).report.cut_length;
   options.max_cut_length = 0.8 * free_length;
@@ -138,12 +139,12 @@ TEST_CASE("a sphere with a small hole is cut where that is asked for, as well as
   }
   REQUIRE(best < whole - 0.1);
 
-  Cut_options options;
+  Seam_options options;
   options.cuts_disk = true;
   const Decision decision = decide(surface, options);
   CHECK(opened_surface(surface, decision.cut).is_disk());
   CHECK(score_of(decision.cut) <= 1.005 * best);
-  Cut_options bounded = options, costly = options, without = options, short_one = options;
+  Seam_options bounded = options, costly = options, without = options, short_one = options;
   bounded.max_cut_length = 0.8 * decision.report.cut_length;
   const Decision shorter = decide(surface, bounded);
   CHECK(shorter.report.cut_length <= bounded.max_cut_length);
@@ -151,13 +152,13 @@ TEST_CASE("a sphere with a small hole is cut where that is asked for, as well as
   costly.cut_weight = 100;
   without.mode = Cut_mode::NONE;
   short_one.mode = Cut_mode::SHORTEST;
-  for(const Cut_options& hindering : {costly, without, short_one})
+  for(const Seam_options& hindering : {costly, without, short_one})
     CHECK(decide(surface, hindering).cut.edges().empty());
 }
 
 TEST_CASE("a disk stays whole when no cut pays, and otherwise the cut is lifted from a simple copy")
 {
-  Cut_options options;
+  Seam_options options;
   options.cuts_disk = true;
   const Flat_mesh half = hemisphere();
   for(const Closed_mesh& mesh : {plane(12, 1), plane(60, 1), Closed_mesh{half.points, half.triangles}}) {
@@ -179,7 +180,7 @@ TEST_CASE("the decision is the same for any number of threads")
 {
   for(const Closed_mesh& mesh : {with_holes(torus(20, 12), 2, 9), ellipsoid(4, 3)}) {
     const Triangle_surface surface = surface_of(mesh);
-    Cut_options options;
+    Seam_options options;
     options.number_of_threads = 1;
     const Decision one = decide(surface, options);
     for(unsigned int threads : {2, 5, 0}) {
@@ -228,7 +229,7 @@ TEST_CASE("a quick score that is not done after its steps gives way to a map fro
 TEST_CASE("a cut with a slow score is taken unjudged, and the score is right")
 {
   const Triangle_surface surface = surface_of(ellipsoid(3, 128));
-  Cut_options options;
+  Seam_options options;
   options.cut_weight = 20; // the needle is to be cut across
   const Decision decision = decide(surface, options);
   CHECK(decision.report.cut_length < 0.1);
@@ -245,7 +246,7 @@ TEST_CASE("a surface of many holes is cut and mapped, though the quick map of it
   const Patch patch = patch_of_cut(surface, decision.cut);
   REQUIRE(quick_start(patch, spread_borders(patch, 1), {}).uv.rows() == 0);
   // the score is that of one map, before its corners are searched
-  const double searched = searched_stretch(surface, decision.cut, Cut_options().balance);
+  const double searched = searched_stretch(surface, decision.cut, Seam_options().balance);
   CHECK(decision.report.stretch >= searched);
   CHECK(decision.report.stretch <= 1.2 * searched);
   CHECK(decision.report.score == Approx(decision.report.stretch + 0.05 * decision.report.cut_length));
@@ -329,7 +330,7 @@ TEST_CASE("seams that make no sense are refused")
 
 TEST_CASE("what is no disk is refused when it is not to be cut")
 {
-  Cut_options options;
+  Seam_options options;
   options.mode = Cut_mode::NONE;
   CHECK_THROWS_AS(decide(surface_of(tetrahedron()), options), Unmappable);
   CHECK(decide(surface_of(plane(4, 1)), options).cut.edges().empty());

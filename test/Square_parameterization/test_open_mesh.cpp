@@ -5,7 +5,10 @@
 
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 
+#include "closed_meshes.h"
 #include "mesh_types.h"
+
+#include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
 #include <catch2/catch.hpp>
 
@@ -36,4 +39,30 @@ TEST_CASE("a mesh of OpenMesh has the map of a Surface_mesh")
     REQUIRE(is_one_to_one(result, flat.triangles.size()));
     CHECK(largest_difference(expected.uv, result.uv) < 1e-10);
   }
+}
+
+TEST_CASE("a closed mesh of OpenMesh is cut and mapped; a failed call leaves it as it was")
+{
+  typedef OpenMesh::PolyMesh_ArrayKernelT<Double_traits> Open_mesh;
+  const Closed_mesh torus_mesh = torus(16, 9);
+  Open_mesh mesh = make_mesh<Open_mesh>(Flat_mesh{torus_mesh.points, torus_mesh.triangles, {}});
+  const std::size_t edges = mesh.n_edges(), vertices = mesh.n_vertices();
+  Uv_storage<Open_mesh, Point_2> storage;
+  CGAL_ext::Square_map_options<Open_mesh> options;
+  options.cut.mode = CGAL_ext::Cut_mode::NONE;
+  CHECK(CGAL_ext::parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options)).status ==
+        SMP::ERROR_NO_TOPOLOGICAL_DISC);
+  options.cut.mode = CGAL_ext::Cut_mode::SHORTEST;
+  options.search_options.callback = [](double) { return false; };
+  CHECK(CGAL_ext::parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options)).status ==
+        SMP::ERROR_NO_1_TO_1_MAPPING);
+  CHECK(mesh.n_edges() == edges);
+  CHECK(mesh.n_vertices() == vertices);
+
+  options.search_options.callback = nullptr;
+  const auto result = CGAL_ext::parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options));
+  REQUIRE(result.status == SMP::OK);
+  CHECK(mesh.n_vertices() == vertices + result.copies.size() + result.chords_split);
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  CHECK(count_orientations(mesh, storage).counterclockwise == mesh.n_faces());
 }

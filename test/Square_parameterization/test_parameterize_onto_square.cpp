@@ -13,10 +13,11 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-Square_map_options with_corners(const std::array<std::size_t, 4>& corners)
+Square_map_options<Surface_mesh> with_corners(const std::array<std::size_t, 4>& corners)
 {
-  Square_map_options options;
-  options.corners = corners;
+  Square_map_options<Surface_mesh> options;
+  typedef Surface_mesh::Vertex_index Vertex;
+  options.corners = {Vertex(corners[0]), Vertex(corners[1]), Vertex(corners[2]), Vertex(corners[3])};
   return options;
 }
 
@@ -25,7 +26,7 @@ Square_map_options with_corners(const std::array<std::size_t, 4>& corners)
 TEST_CASE("the result tells the map")
 {
   const Flat_mesh flat = noisy_height_field(6);
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = Quarter_brute_force_corner_search();
   if(GENERATE(true, false))
     options.balanced.reset();
@@ -60,7 +61,7 @@ TEST_CASE("the result tells the map")
 TEST_CASE("every candidate of brute force is what its corners give")
 {
   const Flat_mesh flat = saddle(4);
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = Brute_force_corner_search();
   const Result result = map_onto_square(flat, options).result;
   REQUIRE(result.search.evaluations == 16);
@@ -74,7 +75,7 @@ TEST_CASE("every candidate of brute force is what its corners give")
 TEST_CASE("a flat square with its own corners is mapped to itself by weights with linear precision")
 {
   const Flat_mesh flat = unit_square(8);
-  Square_map_options options = with_corners({0, 8, 80, 72});
+  Square_map_options<Surface_mesh> options = with_corners({0, 8, 80, 72});
   options.minimization.weights = Mean_value_weights();
   options.balanced.reset();
   const auto [result, uv] = map_onto_square(flat, options);
@@ -87,7 +88,7 @@ TEST_CASE("a flat square with its own corners is mapped to itself by weights wit
 TEST_CASE("a flat square is mapped to itself by the defaults, as nearly as the tolerance asks")
 {
   const Flat_mesh flat = unit_square(8);
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   for(double tolerance : {1e-5, 1e-14}) {
     options.balanced->tolerance = tolerance;
     const auto [result, uv] = map_onto_square(flat, options);
@@ -107,14 +108,14 @@ TEST_CASE("corners that are not four border vertices in order are refused")
   CHECK(status_of({0, 20, 24, 4}) == SMP::ERROR_WRONG_PARAMETER);
   CHECK(status_of({0, 24, 4, 20}) == SMP::ERROR_WRONG_PARAMETER);
   CHECK(status_of({0, 0, 24, 20}) == SMP::ERROR_WRONG_PARAMETER);
-  CHECK(status_of({0, 4, 24, 999}) == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of({0, 4, 24, 999}) == SMP::ERROR_WRONG_PARAMETER); // no vertex
   CHECK_THAT(map_onto_square(flat, with_corners({0, 12, 24, 20})).result.message, Contains("corner vertex 12 "));
 }
 
 TEST_CASE("numbers out of range are refused")
 {
   const double eta = GENERATE(0., -1., 1.0001, std::nan(""));
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.minimization.eta = eta;
   CHECK(map_onto_square(unit_square(3), options).result.status == SMP::ERROR_WRONG_PARAMETER);
 
@@ -137,7 +138,7 @@ TEST_CASE("another vertex point map may follow the options")
     points[v] = Kernel::Point_3(bent.points[v].x(), bent.points[v].y(), bent.points[v].z());
 
   Uv_storage<Surface_mesh, Point_2> storage;
-  const auto options = CGAL_ext::parameters::options(Square_map_options());
+  const auto options = CGAL_ext::parameters::options(Square_map_options<Surface_mesh>());
   REQUIRE(parameterize_onto_square(mesh, storage.map(), options.vertex_point_map(points)).status == SMP::OK);
   CHECK(largest_difference(storage.points(mesh), map_onto_square(bent).uv) == 0);
   CHECK(largest_difference(storage.points(mesh), map_onto_square(flat).uv) > 1e-3);
@@ -157,7 +158,7 @@ TEST_CASE("the map is the same to the last bit for any number of threads")
 {
   const tbb::global_control allow_more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
   const Flat_mesh flat = noisy_height_field(9);
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = Brute_force_corner_search();
   options.search_options.number_of_threads = 1;
   const Square_map expected = map_onto_square(flat, options);
@@ -175,7 +176,7 @@ TEST_CASE("the map is the same to the last bit for any number of threads")
 TEST_CASE("the visitor is told of the search and of the minimization")
 {
   Recording_visitor visitor;
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search_options.visitor = &visitor;
   const Result result = map_onto_square(saddle(6), options).result;
   REQUIRE(visitor.starts.size() == 1);
@@ -190,7 +191,7 @@ TEST_CASE("the visitor is told of the search and of the minimization")
 
 TEST_CASE("a cancelled search delivers the best map so far")
 {
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = Brute_force_corner_search();
   options.search_options.number_of_threads = 1;
   options.search_options.callback = [](double share) { return share < 0.5; };
@@ -205,7 +206,7 @@ TEST_CASE("the walk and the corner rule change the corners, not the orientation"
 {
   for(Walk walk : {Walk::COUNTER_CLOCKWISE, Walk::CLOCKWISE})
     for(Corner_rule rule : {Corner_rule::AUTHOR, Corner_rule::NEAREST}) {
-      Square_map_options options;
+      Square_map_options<Surface_mesh> options;
       options.search_options.walk = walk;
       options.search_options.corner_rule = rule;
       const auto [result, uv] = map_onto_square(noisy_height_field(6), options); // checks the orientation

@@ -155,7 +155,7 @@ TEST_CASE("a disk gets no seams, a surface that may not be cut is refused")
     CHECK(!is_seam);
 
   const Surface_mesh sphere = make_mesh<Surface_mesh>(ellipsoid(1));
-  Cut_options options;
+  Seam_options options;
   options.mode = Cut_mode::NONE;
   Seams<Surface_mesh> none;
   const Seam_result result = mark_seams(sphere, none.edge_map(), none.vertex_map(), parameters::options(options));
@@ -163,7 +163,7 @@ TEST_CASE("a disk gets no seams, a surface that may not be cut is refused")
   CHECK_THAT(result.message, Contains("not a disk"));
   CHECK(none.vertices.empty()); // nothing was written
 
-  options = Cut_options();
+  options = Seam_options();
   options.max_cut_length = -1;
   CHECK(mark_seams(sphere, none.edge_map(), none.vertex_map(), parameters::options(options)).status ==
         SMP::ERROR_WRONG_PARAMETER);
@@ -248,7 +248,7 @@ TEST_CASE("a closed mesh is cut, split and mapped in one call")
   CAPTURE(named.name);
   const Surface_mesh before = make_mesh<Surface_mesh>(named.mesh);
   Surface_mesh mesh = before;
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.search = First_candidate_corner_search();
   const auto [result, uv] = map_onto_square(mesh, options);
   REQUIRE(result.status == SMP::OK);
@@ -276,7 +276,7 @@ TEST_CASE("a disk is cut in one call as step by step, if that is asked for")
 {
   const Surface_mesh before = make_mesh<Surface_mesh>(without_triangles(ellipsoid(2), {7}));
   Surface_mesh whole = before, mesh = before;
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   const double whole_l2 = map_onto_square(whole, options).result.measures.l2;
   options.cut.cuts_disk = true;
   const auto [result, uv] = map_onto_square(mesh, options);
@@ -287,24 +287,21 @@ TEST_CASE("a disk is cut in one call as step by step, if that is asked for")
   CHECK(result.measures.l2 + 0.05 * result.cut.cut_length < whole_l2);
 
   Seams<Surface_mesh> seams;
-  REQUIRE(mark_seams(before, seams.edge_map(), seams.vertex_map(), parameters::options(options.cut)).status == SMP::OK);
+  REQUIRE(
+      mark_seams(before, seams.edge_map(), seams.vertex_map(), parameters::options(Seam_options(options.cut))).status ==
+      SMP::OK);
   Surface_mesh cut = cut_along_seams(before, seams.edge_map());
-  CHECK(map_onto_square(cut, Square_map_options()).uv == uv);
+  CHECK(map_onto_square(cut, Square_map_options<Surface_mesh>()).uv == uv);
 }
 
 TEST_CASE("a closed mesh is cut along given seams, or refused")
 {
   Surface_mesh mesh = make_mesh<Surface_mesh>(ellipsoid(1));
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.cut.mode = Cut_mode::NONE;
-  CHECK_THAT(map_onto_square(mesh, options).result.message, Contains("closed"));
-  options.seams = {{0, 1}};
-  CHECK_THAT(map_onto_square(mesh, options).result.message, Contains("from vertex 0 to vertex 1 is not an edge"));
-  options.seams = {{0, 99}};
-  CHECK_THAT(map_onto_square(mesh, options).result.message, Contains("from vertex 0 to vertex 99 is not an edge"));
+  CHECK_THAT(map_onto_square(mesh, options).result.message, Contains("not a disk") && Contains("closed"));
   CHECK(mesh.number_of_vertices() == 18);
-  for(auto h : mesh.halfedges_around_target(mesh.halfedge(Surface_mesh::Vertex_index(0))))
-    options.seams = {{0, mesh.source(h).idx()}};
+  options.seams = {mesh.edge(mesh.halfedge(Surface_mesh::Vertex_index(0)))};
   const auto result = map_onto_square(mesh, options).result;
   CHECK(result.status == SMP::OK);
   CHECK(result.cut.seam_edges >= 2); // one edge alone would leave a border of two vertices
@@ -316,32 +313,42 @@ TEST_CASE("a closed mesh is cut along given seams, or refused")
 TEST_CASE("the ends of the seam of a cylinder are two corners each: the cylinder is unrolled by an isometry")
 {
   constexpr int N = 12; // around and along; a prism with square faces
+  typedef Surface_mesh::Vertex_index Vertex;
   const double radius = 0.5 / std::sin(PI / N);
   Closed_mesh cylinder;
-  Square_map_options options;
   for(int j = 0; j <= N; ++j)
     for(int i = 0; i < N; ++i)
       cylinder.points.push_back({radius * std::cos(2 * PI * i / N), radius * std::sin(2 * PI * i / N), double(j)});
-  for(int j = 0; j < N; ++j) {
+  for(int j = 0; j < N; ++j)
     for(int i = 0; i < N; ++i) {
       const int a = i + N * j, b = (i + 1) % N + N * j;
       cylinder.triangles.insert(cylinder.triangles.end(), {{a, b, b + N}, {a, b + N, a + N}});
     }
-    options.seams.push_back({std::size_t(N * j), std::size_t(N * (j + 1))});
-  }
-  const std::size_t bottom = 0, top = N * N;
-  for(const auto& corners : {std::array<std::size_t, 4>{bottom, bottom, top, top}, {bottom, top, top, bottom}}) {
+  const Vertex bottom(0), top(N * N);
+  const auto seam_of = [&](const Surface_mesh& mesh) {
+    std::vector<Surface_mesh::Edge_index> seam;
+    for(int j = 0; j < N; ++j)
+      seam.push_back(mesh.edge(mesh.halfedge(Vertex(N * j), Vertex(N * (j + 1)))));
+    return seam;
+  };
+  for(const auto& corners : {std::array<Vertex, 4>{bottom, bottom, top, top}, {bottom, top, top, bottom}}) {
     Surface_mesh mesh = make_mesh<Surface_mesh>(cylinder);
+    Square_map_options<Surface_mesh> options;
+    options.seams = seam_of(mesh);
     options.corners = corners;
     const auto [result, uv] = map_onto_square(mesh, options);
     REQUIRE(result.status == SMP::OK);
     CHECK(result.measures.l2 == Approx(1).epsilon(1e-3)); // the minimizer ends near the isometry
     for(int k = 0; k < 4; ++k)
-      CHECK(mesh.point(result.corners[k]) == mesh.point(Surface_mesh::Vertex_index(corners[k])));
+      CHECK(mesh.point(result.corners[k]) == mesh.point(corners[k]));
   }
   Surface_mesh mesh = make_mesh<Surface_mesh>(cylinder);
+  Square_map_options<Surface_mesh> options;
+  options.seams = seam_of(mesh);
   options.corners = {bottom, bottom, bottom, top}; // there are but two copies
   CHECK(map_onto_square(mesh, options).result.status == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(mesh.number_of_vertices() == cylinder.points.size()); // a failed call leaves the mesh as it was
+  CHECK(mesh.number_of_edges() == 3 * N * N + N);
 }
 
 TEST_CASE("the cut and the stretch do not depend on the scale")

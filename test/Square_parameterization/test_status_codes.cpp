@@ -44,7 +44,7 @@ SMP::Error_code plug_in_status(Surface_mesh& mesh)
 SMP::Error_code one_call_status(Surface_mesh& mesh, Cut_mode cut = Cut_mode::BEST)
 {
   Uv_storage<Surface_mesh, Point_2> storage;
-  Square_map_options options;
+  Square_map_options<Surface_mesh> options;
   options.cut.mode = cut;
   const auto result = parameterize_onto_square(mesh, storage.map(), parameters::options(options));
   CHECK(result.message.empty() == (result.status == SMP::OK));

@@ -5,8 +5,8 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CIRCULAR_BORDER_ARC_LENGTH_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
-#include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/measured_border.h>
 
 #include <vector>
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H
 
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+
 #include <limits>
 
 namespace CGAL_ext {
@@ -32,22 +34,37 @@ struct Cut_options
   /// needs is cut in any case.
   double max_cut_length = std::numeric_limits<double>::infinity();
 
-  /// `BEST`: balance of the energy by which cuts are judged: see `Balanced_minimization`
-  double balance = 0.3;
-
   /// `BEST`: whether a disk is cut, too, where the L2 stretch falls by more than the weighted length of the cut, as it
   /// does on a closed surface with a small hole. Both sides of the cut then lie on the border of the square, too. Cuts
   /// are judged by the least balanced energy with a sliding border and searched corners, whatever map is made
   /// afterwards. Without meaning where seams are given.
   bool cuts_disk = false;
 
-  unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
-
   /// indicates whether a disk may be cut where no seams are given
   bool may_cut_disk() const { return cuts_disk && mode == Cut_mode::BEST; }
 
   /// indicates whether all numbers are in their range
-  bool is_valid() const { return cut_weight >= 0 && max_cut_length >= 0 && balance >= 0 && balance <= 1; }
+  bool is_valid() const { return cut_weight >= 0 && max_cut_length >= 0; }
+};
+
+/// \ingroup PkgSquareParameterizationConditioning
+///
+/// what `mark_seams()` is to do: how the surface is cut, and what `parameterize_onto_square()` knows from its other
+/// options
+struct Seam_options : Cut_options
+{
+  Seam_options() = default;
+  Seam_options(const Cut_options& cut) : Cut_options(cut) {}
+  Seam_options(const Cut_options& cut, double balance, unsigned int number_of_threads)
+    : Cut_options(cut), balance(balance), number_of_threads(number_of_threads)
+  {}
+
+  /// `BEST`: balance of the energy by which cuts are judged, in [0, 1]: see `Balanced_minimization`
+  double balance = Balanced_minimization().balance;
+  unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
+
+  /// indicates whether all numbers are in their range
+  bool is_valid() const { return Cut_options::is_valid() && balance >= 0 && balance <= 1; }
 };
 
 } // namespace CGAL_ext

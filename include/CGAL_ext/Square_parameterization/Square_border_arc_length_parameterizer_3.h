@@ -6,8 +6,8 @@
 
 #include <CGAL_ext/Square_parameterization/Corner_rule.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
-#include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/measured_border.h>
 
 #include <array>
 #include <optional>

@@ -4,16 +4,16 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_OPTIONS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_OPTIONS_H
 
-#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/Chords.h>
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/Minimization.h>
 #include <CGAL_ext/Square_parameterization/Square_search_options.h>
-#include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
-#include <CGAL_ext/Square_parameterization/split_chords.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -21,28 +21,36 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationFunctions
 ///
-/// what `parameterize_onto_square()` is to do. Every member has a default.
-struct Square_map_options
+/// what `parameterize_onto_square()` is to do with a mesh of any type. Every member has a default.
+struct Square_map_settings
 {
   /// chooses the corners: any model of `CornerSearch`
   Corner_search search = Bracketing_corner_search();
-  /// how each candidate is mapped: by the minimizer of the balanced energy, or, when this is empty, by the iteration
-  std::optional<Balanced_minimization> balanced = Balanced_minimization();
-  Stretch_minimization minimization;    ///< the iteration; `Hybrid_corner_search` suits it
-  Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
-  Chords chords = Chords::ALL;          ///< which chords are split
-  /// how the surface is cut to a disk; its balance is that of `balanced`, where there is one, and its number of
-  /// threads that of `search_options`
+  Minimization minimization = Balanced_minimization(); ///< how each candidate is mapped
+  Square_search_options search_options;                ///< corner rule, walk, threads, visitor and callback
+  Chords chords = Chords::ALL;                         ///< which chords are split
+  /// how the surface is cut to a disk. Cuts are judged with the balance of the minimization, where that has one, on as
+  /// many threads as the search.
   Cut_options cut;
+};
 
-  /// edges to cut along in any case, each as two indices in the order of `vertices(mesh)`; what they lack is added
-  std::vector<std::array<std::size_t, 2>> seams;
+/// \ingroup PkgSquareParameterizationFunctions
+///
+/// what `parameterize_onto_square()` is to do. Every member has a default.
+/// \tparam TriangleMesh_ the mesh
+template <class TriangleMesh_>
+struct Square_map_options : Square_map_settings
+{
+  typedef typename boost::graph_traits<TriangleMesh_>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh_>::edge_descriptor edge_descriptor;
 
-  /// four border vertices for (0, 0), (1, 0), (1, 1) and (0, 1), counter-clockwise, as indices in the order of
-  /// `vertices(mesh)`; none: the corners are searched. A vertex that is cut stands for its copies, and may be given
-  /// more than once, as the ends of a seam along a cylinder: of the copies in order those are taken that leave the
-  /// longest shortest side.
-  std::optional<std::array<std::size_t, 4>> corners;
+  /// edges to cut along in any case; what they lack to make the surface a disk is added. Border edges need no cut.
+  std::vector<edge_descriptor> seams;
+
+  /// four border vertices for (0, 0), (1, 0), (1, 1) and (0, 1), counter-clockwise; none: the corners are searched. A
+  /// vertex that is cut stands for its copies, and may be given more than once, as the ends of a seam along a cylinder:
+  /// of the copies in order those are taken that leave the longest shortest side.
+  std::optional<std::array<vertex_descriptor, 4>> corners;
 };
 
 } // namespace CGAL_ext

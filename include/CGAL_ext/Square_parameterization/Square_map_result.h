@@ -7,7 +7,7 @@
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
 #include <CGAL_ext/Square_parameterization/Minimization_report.h>
 #include <CGAL_ext/Square_parameterization/Search_report.h>
-#include <CGAL_ext/Square_parameterization/measure_stretch.h>
+#include <CGAL_ext/Square_parameterization/Stretch_measures.h>
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <boost/graph/graph_traits.hpp>
@@ -21,31 +21,39 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationResults
 ///
-/// what `parameterize_onto_square()` did
-template <class TriangleMesh>
-struct Square_map_result
+/// what `parameterize_onto_square()` did to a mesh of any type
+struct Square_map_report
 {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-
   /// `OK`, or why there is no map
   CGAL::Surface_mesh_parameterization::Error_code status = CGAL::Surface_mesh_parameterization::OK;
-  std::string message; ///< one sentence that names the condition and the place; empty on `OK`
-  Cut_report cut;      ///< without seams for a disk that stays whole
-  /// the vertices that the cut added, each with the vertex that it is a copy of
-  std::vector<std::pair<vertex_descriptor, vertex_descriptor>> copies;
-  std::size_t border_edges_split = 0;     ///< one when the border had three edges: a square needs four
-  std::size_t chords_split = 0;           ///< number of edges that were split at their midpoint
-  std::vector<vertex_descriptor> corners; ///< the vertices at (0, 0), (1, 0), (1, 1) and (0, 1)
-  Search_report search;                   ///< candidates, evaluations and the stretch curve
-  Minimization_report minimization;       ///< iterations of the delivered map
-  Stretch_measures measures;              ///< of the delivered map
-  std::size_t border_edges = 0;           ///< number of edges of the border
+  std::string message;                ///< one sentence that names the condition and the place; empty on `OK`
+  Cut_report cut;                     ///< without seams for a disk that stays whole
+  std::size_t border_edges_split = 0; ///< one when the border had three edges: a square needs four
+  std::size_t chords_split = 0;       ///< number of edges that were split at their midpoint
+  Search_report search;               ///< candidates, evaluations and the curve of the objective
+  Minimization_report minimization;   ///< iterations of the delivered map
+  Stretch_measures measures;          ///< of the delivered map
+  std::size_t border_edges = 0;       ///< number of edges of the border
   /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as
   /// 1e-4 sqrt(area); the measures take them as they are.
   std::size_t degenerate_faces = 0;
-  double cut_seconds = 0;       ///< deciding on the cut, and cutting
-  double condition_seconds = 0; ///< splitting chords, reading the mesh and the first factorization
+  double cut_seconds = 0;       ///< reading the mesh and deciding on the cut
+  double condition_seconds = 0; ///< opening the cut, splitting chords and the first factorization
   double search_seconds = 0;    ///< mapping all candidates
+};
+
+/// \ingroup PkgSquareParameterizationResults
+///
+/// what `parameterize_onto_square()` did. Unless the status is `OK` the mesh is as it was, and what the report counts
+/// was not done to it.
+template <class TriangleMesh_>
+struct Square_map_result : Square_map_report
+{
+  typedef typename boost::graph_traits<TriangleMesh_>::vertex_descriptor vertex_descriptor;
+
+  /// the vertices that the cut added, each with the vertex that it is a copy of
+  std::vector<std::pair<vertex_descriptor, vertex_descriptor>> copies;
+  std::vector<vertex_descriptor> corners; ///< the vertices at (0, 0), (1, 0), (1, 1) and (0, 1)
 };
 
 } // namespace CGAL_ext

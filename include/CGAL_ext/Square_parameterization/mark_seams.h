@@ -8,7 +8,8 @@
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
 #include <CGAL_ext/Square_parameterization/internal/common/options_parameter.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Mesh_edges.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
@@ -36,7 +37,7 @@ namespace parameters {
 ///
 /// the named parameter that carries the options of `mark_seams()`. It must come first in a chain of named parameters:
 /// `parameters::options(o).vertex_point_map(vpm)`.
-inline CGAL::Named_function_parameters<Cut_options, internal::options_t> options(const Cut_options& options)
+inline CGAL::Named_function_parameters<Seam_options, internal::options_t> options(const Seam_options& options)
 {
   return {options};
 }
@@ -71,8 +72,8 @@ inline CGAL::Named_function_parameters<Cut_options, internal::options_t> options
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{options}
 ///     \cgalParamDescription{whether the cut is short or leaves little stretch, and the price of its length}
-///     \cgalParamType{`CGAL_ext::Cut_options`}
-///     \cgalParamDefault{`CGAL_ext::Cut_options()`}
+///     \cgalParamType{`CGAL_ext::Seam_options`}
+///     \cgalParamDefault{`CGAL_ext::Seam_options()`}
 ///     \cgalParamExtra{It is made by `CGAL_ext::parameters::options()` and must come first.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
@@ -90,22 +91,23 @@ Seam_result mark_seams(const TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVer
                        const NamedParameters& np = NamedParameters())
 {
   namespace CP = CGAL::parameters;
-  const auto options = CP::choose_parameter(CP::get_parameter(np, internal::options), Cut_options());
+  const auto options = CP::choose_parameter(CP::get_parameter(np, internal::options), Seam_options());
   const auto vpm =
       CP::choose_parameter(CP::get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
   Seam_result result;
   try {
-    internal::check_cut_options(options);
-    const auto disk = internal::make_face_graph_surface(mesh, vpm);
+    const auto [arrays, vertex_list] = internal::read_faces(mesh, faces(mesh), vpm);
+    const internal::Triangle_surface surface = internal::make_checked_surface(arrays);
+    const internal::Mesh_edges<TriangleMesh> mesh_edges(mesh, vertex_list, surface.edges);
     std::vector<std::array<int, 2>> given;
-    for(int e = 0; e < disk.surface.number_of_edges(); ++e)
-      if(get(seam_edges, disk.edge_of(e, mesh)))
-        given.push_back(disk.surface.edges[e]);
-    const internal::Cut cut = internal::cut_to_disk(disk.surface, given, options, result.cut);
-    for(int e = 0; e < disk.surface.number_of_edges(); ++e)
-      put(seam_edges, disk.edge_of(e, mesh), cut.contains(e));
-    for(int v = 0; v < disk.surface.number_of_vertices(); ++v)
-      put(seam_vertices, disk.vertices[v], cut.degree(v) > 0);
+    for(int e = 0; e < surface.number_of_edges(); ++e)
+      if(get(seam_edges, mesh_edges[e]))
+        given.push_back(surface.edges[e]);
+    const internal::Cut cut = internal::cut_to_disk(surface, given, options, result.cut);
+    for(int e = 0; e < surface.number_of_edges(); ++e)
+      put(seam_edges, mesh_edges[e], cut.contains(e));
+    for(int v = 0; v < surface.number_of_vertices(); ++v)
+      put(seam_vertices, vertex_list[v], cut.degree(v) > 0);
   } catch(const internal::Unmappable& error) {
     result.status = error.code();
     result.message = error.what();

@@ -4,68 +4,16 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_MEASURE_STRETCH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_MEASURE_STRETCH_H
 
-#include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
-#include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
-#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/measure.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
 
+#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <unordered_map>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL_ext {
-
-/// \ingroup PkgSquareParameterizationMetric
-///
-/// the stretch of a map from the plane to a triangle mesh (Sander et al.\ \cgalCite{cgal:ssgh-tmpm-01}), normalised so
-/// that an isometry up to scale has stretch 1. All stretches are dimensionless and infinite when a uv triangle is not
-/// counter-clockwise. (CGAL's `compute_L2_stretch()` is another quantity, a norm of area ratios.)
-struct Stretch_measures
-{
-  double l2 = 0;                  ///< root mean square of the stretch over all directions and over the surface
-  double linf = 0;                ///< largest stretch of any direction anywhere
-  double symmetric_dirichlet = 0; ///< area mean of (s1^2 + s2^2 + 1/s1^2 + 1/s2^2) / 4, s the singular values; least 1
-  std::size_t flipped_faces = 0;  ///< number of uv triangles that are clockwise or flat, by exact arithmetic
-  double uv_area = 0;             ///< sum of the signed areas of the uv triangles
-  std::vector<double> face_l2;    ///< one per face, in the order of `faces(mesh)`
-};
-
-namespace internal {
-
-/// measures a map given as flat arrays, in any unit of length
-inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
-                                const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
-{
-  Stretch_measures result;
-  result.flipped_faces = number_of_flipped_faces(triangles, uv);
-  double energy = 0, inverse_energy = 0, surface_area = 0;
-  for(std::size_t f = 0; f < triangles.size(); ++f) {
-    const Triangle_stretch stretch = triangle_stretch(shapes[f], uv, triangles[f]);
-    const double area = shapes[f].area();
-    surface_area += area;
-    result.uv_area += stretch.uv_area;
-    result.linf = (std::max)(result.linf, stretch.linf);
-    result.face_l2.push_back(std::sqrt(stretch.l2_squared));
-    if(area > 0) {
-      energy += stretch.l2_squared * area;
-      // s1^2 + s2^2 of the surface-to-plane map: that of its inverse, divided by the squared determinant
-      const double determinant = area / stretch.uv_area;
-      inverse_energy += stretch.l2_squared / (determinant * determinant) * area;
-    }
-  }
-  const double scale = std::sqrt(result.uv_area / surface_area);
-  result.l2 = std::sqrt(energy / surface_area) * scale;
-  result.linf *= scale;
-  for(double& l2 : result.face_l2)
-    l2 *= scale;
-  result.symmetric_dirichlet = (energy * scale * scale + inverse_energy / (scale * scale)) / (2 * surface_area);
-  if(result.flipped_faces > 0 || !(energy < std::numeric_limits<double>::infinity()))
-    result.l2 = result.linf = result.symmetric_dirichlet = std::numeric_limits<double>::infinity();
-  return result;
-}
-
-} // namespace internal
 
 /// \ingroup PkgSquareParameterizationMetric
 ///
@@ -90,20 +38,11 @@ template <class TriangleMesh, class VertexUVMap, class VertexPointMap, class Ver
 Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap, VertexPointMap vpm,
                                  VertexStretchMap vertex_stretch)
 {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  std::vector<vertex_descriptor> vertex_list(vertices(mesh).begin(), vertices(mesh).end());
-  std::unordered_map<vertex_descriptor, int> index;
-  for(std::size_t v = 0; v < vertex_list.size(); ++v)
-    index[vertex_list[v]] = static_cast<int>(v);
-  std::vector<std::array<int, 3>> triangles;
+  const auto [arrays, vertex_list] = internal::read_faces(mesh, faces(mesh), vpm);
+  const auto& [points, triangles, places, border_sides] = arrays;
   std::vector<internal::Flat_triangle> shapes;
-  for(auto f : faces(mesh)) {
-    const auto h = halfedge(f, mesh);
-    const vertex_descriptor a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
-    triangles.push_back({index[a], index[b], index[c]});
-    shapes.push_back(
-        internal::flatten(internal::point_of(vpm, a), internal::point_of(vpm, b), internal::point_of(vpm, c), 0));
-  }
+  for(const auto& [a, b, c] : triangles)
+    shapes.push_back(internal::flatten(points[a], points[b], points[c], 0));
   const Stretch_measures result = internal::measure(shapes, triangles, internal::read_uv(vertex_list, uvmap));
 
   if constexpr(!std::is_same_v<VertexStretchMap, std::nullptr_t>) {

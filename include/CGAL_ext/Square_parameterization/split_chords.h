@@ -4,7 +4,10 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H
 
-#include <CGAL_ext/Square_parameterization/internal/patch/split_edges.h>
+#include <CGAL_ext/Square_parameterization/Chords.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Mesh_edges.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/apply_edits.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_edges.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -16,61 +19,28 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationConditioning
 ///
-/// which chords are split
-enum class Chords
-{
-  ALL, ///< every chord: afterwards every choice of corners has a one-to-one map
-  EARS ///< only those that cut off a single face, as the authors of the published tables did
-};
-
-namespace internal {
-
-/// splits the chords between border vertices as two predicates tell them, of vertices and of edges; returns the
-/// midpoints
-template <class TriangleMesh, class VertexPointMap, class Is_border_vertex, class Is_border_edge>
-std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which, Is_border_vertex is_border_vertex,
-             Is_border_edge is_border_edge)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-  const auto cuts_off_a_face = [&](auto h) {
-    return is_border_edge(edge(next(h, mesh), mesh)) && is_border_edge(edge(prev(h, mesh), mesh));
-  };
-  std::vector<edge_descriptor> chords;
-  for(edge_descriptor e : edges(mesh)) {
-    const auto h = halfedge(e, mesh);
-    if(is_border_edge(e) || !is_border_vertex(source(h, mesh)) || !is_border_vertex(target(h, mesh)))
-      continue;
-    if(which == Chords::ALL || cuts_off_a_face(h) || cuts_off_a_face(opposite(h, mesh)))
-      chords.push_back(e);
-  }
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> midpoints;
-  for(edge_descriptor e : chords)
-    midpoints.push_back(split_edge_at_midpoint(halfedge(e, mesh), mesh, vpm));
-  return midpoints;
-}
-
-} // namespace internal
-
-/// \ingroup PkgSquareParameterizationConditioning
-///
 /// splits the chords of a triangulated surface with border at their midpoints, and returns how many there were. A chord
 /// is an interior edge with both ends on the border. When both ends come to lie on one side of the square the faces
 /// beside the chord have no area: no one-to-one map exists. After the split each choice of corners has one.
 ///
-/// The new vertices and faces come after the existing ones. Complexity: linear.
+/// The new vertices and faces come after the existing ones. Complexity: all but linear.
 ///
 /// \tparam TriangleMesh must be a model of `MutableFaceGraph`.
 /// \tparam VertexPointMap must be a model of `ReadWritePropertyMap` with the vertex descriptor as key type and a 3D
 ///         point as value type.
-/// \pre all faces are triangles
+/// \pre all faces are triangles, and no two edges join the same two vertices
 template <class TriangleMesh, class VertexPointMap>
 std::size_t split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which = Chords::ALL)
 {
-  return internal::split_chords(
-             mesh, vpm, which, [&mesh](auto v) { return bool(CGAL::is_border(v, mesh)); },
-             [&mesh](auto e) { return CGAL::is_border_edge(halfedge(e, mesh), mesh); })
-      .size();
+  CGAL_precondition(CGAL::is_triangle_mesh(mesh));
+  const TriangleMesh& const_mesh = mesh;
+  auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
+  const internal::Triangle_surface surface = internal::make_triangle_surface(arrays.points, arrays.triangles);
+  internal::Surface_edits edits;
+  for(int e : internal::chords_of(surface, which))
+    edits.splits.push_back(surface.edges[e]);
+  internal::apply_edits(edits, mesh, vpm, vertex_list);
+  return edits.splits.size();
 }
 
 /// \ingroup PkgSquareParameterizationConditioning
@@ -92,20 +62,33 @@ std::size_t split_chords(TriangleMesh& mesh)
 ///         value type.
 /// \tparam SeamVertexMap must be a model of `ReadWritePropertyMap` with the vertex descriptor as key type and `bool` as
 ///         value type.
-/// \pre all faces are triangles, and no `CGAL::Seam_mesh` of `mesh` has been made yet
+/// \pre all faces are triangles, no two edges join the same two vertices, and no `CGAL::Seam_mesh` of `mesh` has been
+///      made yet
 template <class TriangleMesh, class SeamEdgeMap, class SeamVertexMap>
 std::size_t split_seam_chords(TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVertexMap seam_vertices)
 {
-  const auto midpoints = internal::split_chords(
-      mesh, get(CGAL::vertex_point, mesh), Chords::ALL,
-      [&](auto v) { return get(seam_vertices, v) || CGAL::is_border(v, mesh); },
-      [&](auto e) { return get(seam_edges, e) || CGAL::is_border_edge(halfedge(e, mesh), mesh); });
-  for(auto v : midpoints) {
-    put(seam_vertices, v, false);
-    for(auto h : CGAL::halfedges_around_target(v, mesh))
+  CGAL_precondition(CGAL::is_triangle_mesh(mesh));
+  const TriangleMesh& const_mesh = mesh;
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
+  const internal::Triangle_surface surface = internal::make_triangle_surface(arrays.points, arrays.triangles);
+  const internal::Mesh_edges<TriangleMesh> mesh_edges(const_mesh, vertex_list, surface.edges);
+  const std::size_t uncut = vertex_list.size();
+  std::vector<bool> is_seam_vertex;
+  for(auto v : vertex_list)
+    is_seam_vertex.push_back(get(seam_vertices, v));
+  internal::Surface_edits edits;
+  for(int e : internal::chords_of(
+          surface, Chords::ALL, [&](int v) { return is_seam_vertex[v] || surface.is_border_vertex[v]; },
+          [&](int e) { return get(seam_edges, mesh_edges[e]) || surface.is_border_edge(e); }))
+    edits.splits.push_back(surface.edges[e]);
+  internal::apply_edits(edits, mesh, vpm, vertex_list);
+  for(std::size_t k = uncut; k < vertex_list.size(); ++k) {
+    put(seam_vertices, vertex_list[k], false);
+    for(auto h : CGAL::halfedges_around_target(vertex_list[k], mesh))
       put(seam_edges, edge(h, mesh), false);
   }
-  return midpoints.size();
+  return edits.splits.size();
 }
 
 } // namespace CGAL_ext

@@ -31,7 +31,7 @@ struct Choices_of_bytes
       place = bytes.next();
   }
 
-  CGAL_ext::Square_map_options options;
+  CGAL_ext::Square_map_options<Fuzz_mesh> options;
   CGAL_ext::internal::Conditioning_options conditioning_options;
   bool has_seams = false, has_corners = false;
   std::array<int, 4> places; ///< bytes that say which edges are seams and which vertices are corners

@@ -62,8 +62,8 @@ inline void check_disk(const Fuzz_mesh& mesh)
 
 /// throws unless the cut surface is the uncut one with vertices copied and edges split, as the report says, and no
 /// given seam is left in one piece
-inline void check_cut(const Fuzz_mesh& uncut, const std::vector<std::array<std::size_t, 2>>& seams,
-                      const Fuzz_mesh& cut, const CGAL_ext::Square_map_result<Fuzz_mesh>& result)
+inline void check_cut(const Fuzz_mesh& uncut, const std::vector<Fuzz_mesh::Edge_index>& seams, const Fuzz_mesh& cut,
+                      const CGAL_ext::Square_map_result<Fuzz_mesh>& result)
 {
   typedef Fuzz_mesh::Vertex_index Vertex;
   const std::size_t splits = result.border_edges_split + result.chords_split;
@@ -81,8 +81,8 @@ inline void check_cut(const Fuzz_mesh& uncut, const std::vector<std::array<std::
   for(Fuzz_mesh::Edge_index e : cut.edges())
     if(!cut.is_border(e))
       inside.insert(std::minmax({original(cut.vertex(e, 0)), original(cut.vertex(e, 1))}));
-  for(const auto& [a, b] : seams)
-    demand(inside.count(std::minmax({Vertex(a), Vertex(b)})) == 0, "a seam is not cut");
+  for(Fuzz_mesh::Edge_index seam : seams)
+    demand(inside.count(std::minmax({uncut.vertex(seam, 0), uncut.vertex(seam, 1)})) == 0, "a seam is not cut");
 }
 
 /// throws unless the map is onto the unit square and without flips, by exact predicates, and the report fits it

@@ -16,32 +16,32 @@ enum class Outcome
 };
 
 /// some edges of the mesh
-inline std::vector<std::array<std::size_t, 2>> seams_at(const std::array<int, 4>& places, const Fuzz_mesh& mesh)
+inline std::vector<Fuzz_mesh::Edge_index> seams_at(const std::array<int, 4>& places, const Fuzz_mesh& mesh)
 {
-  std::vector<std::array<std::size_t, 2>> seams;
+  std::vector<Fuzz_mesh::Edge_index> seams;
   for(int place : places) {
-    const auto h = mesh.halfedge(Fuzz_mesh::Face_index(place % mesh.number_of_faces()));
-    seams.push_back({mesh.source(h).idx(), mesh.target(h).idx()});
+    seams.push_back(mesh.edge(mesh.halfedge(Fuzz_mesh::Face_index(place % mesh.number_of_faces()))));
   }
   return seams;
 }
 
 /// four vertices of one border, counter-clockwise; none when the places are not four. Of a closed surface any four,
 /// which the cut may put on the border, and one of them several times.
-inline std::optional<std::array<std::size_t, 4>> corners_at(const std::array<int, 4>& places, const Fuzz_mesh& mesh)
+inline std::optional<std::array<Fuzz_mesh::Vertex_index, 4>> corners_at(const std::array<int, 4>& places,
+                                                                        const Fuzz_mesh& mesh)
 {
-  std::array<std::size_t, 4> corners{};
-  std::vector<std::size_t> loop;
+  std::array<Fuzz_mesh::Vertex_index, 4> corners{};
+  std::vector<Fuzz_mesh::Vertex_index> loop;
   for(Fuzz_mesh::Halfedge_index first : mesh.halfedges())
     if(mesh.is_border(first)) {
       // a border halfedge has the surface on its right: backward is counter-clockwise
       for(auto h = first; loop.empty() || h != first; h = mesh.prev(h))
-        loop.push_back(mesh.target(h).idx());
+        loop.push_back(mesh.target(h));
       break;
     }
   if(loop.empty()) {
     std::transform(places.begin(), places.end(), corners.begin(),
-                   [&mesh](int place) { return place % mesh.number_of_vertices(); });
+                   [&mesh](int place) { return Fuzz_mesh::Vertex_index(place % mesh.number_of_vertices()); });
     return corners;
   }
   std::set<std::size_t> positions;
@@ -69,7 +69,7 @@ inline Outcome map_bytes(const std::uint8_t* data, std::size_t size)
     return Outcome::REFUSED;
   }
   const Fuzz_mesh uncut = mesh_of(soup);
-  CGAL_ext::Square_map_options options = choices.options;
+  CGAL_ext::Square_map_options<Fuzz_mesh> options = choices.options;
   if(choices.has_seams)
     options.seams = seams_at(choices.places, uncut);
   if(choices.has_corners)

@@ -20,7 +20,7 @@ struct Square_map
   std::vector<Eigen::Vector2d> uv; ///< empty unless the status is OK
 };
 
-inline Square_map map_onto_square(Surface_mesh& mesh, const CGAL_ext::Square_map_options& options = {})
+inline Square_map map_onto_square(Surface_mesh& mesh, const CGAL_ext::Square_map_options<Surface_mesh>& options = {})
 {
   Uv_storage<Surface_mesh, Point_2> storage;
   Square_map map{CGAL_ext::parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options)), {}};
@@ -31,7 +31,7 @@ inline Square_map map_onto_square(Surface_mesh& mesh, const CGAL_ext::Square_map
   return map;
 }
 
-inline Square_map map_onto_square(const Flat_mesh& flat, const CGAL_ext::Square_map_options& options = {})
+inline Square_map map_onto_square(const Flat_mesh& flat, const CGAL_ext::Square_map_options<Surface_mesh>& options = {})
 {
   Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
   return map_onto_square(mesh, options);

@@ -115,14 +115,14 @@ inline std::vector<double> objective_of(const std::vector<CGAL_ext::Search_repor
 }
 
 /// maps a copy of \p mesh
-inline CGAL_ext::Square_map_result<Mesh> map_copy(Mesh mesh, const CGAL_ext::Square_map_options& options)
+inline CGAL_ext::Square_map_result<Mesh> map_copy(Mesh mesh, const CGAL_ext::Square_map_options<Mesh>& options)
 {
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
   return CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
 }
 
 /// runs every strategy on \p mesh. Throws `std::runtime_error` when the mesh cannot be mapped.
-inline Experiment run_experiment(const std::string& name, const Mesh& mesh, CGAL_ext::Square_map_options options)
+inline Experiment run_experiment(const std::string& name, const Mesh& mesh, CGAL_ext::Square_map_options<Mesh> options)
 {
   Experiment experiment;
   experiment.name = name;

@@ -79,7 +79,7 @@ inline void check_files(const Command_line& line)
 /// how a map is minimised: the preset, and what is given beside it
 inline void set_minimizer(const Given_options& given, Command_line& line)
 {
-  CGAL_ext::Square_map_options& options = line.options;
+  CGAL_ext::Square_map_settings& options = line.options;
   if(given.has("preset")) {
     named<bool>({{"paper", true}}, "preset", given.preset);
     apply_paper_preset(options);
@@ -107,7 +107,7 @@ inline void set_minimizer(const Given_options& given, Command_line& line)
 }
 
 /// the iteration, which is the start of the other minimizer, too; the number of iterations of a start is its own
-inline void set_iteration(const Given_options& given, CGAL_ext::Square_map_options& options)
+inline void set_iteration(const Given_options& given, CGAL_ext::Square_map_settings& options)
 {
   CGAL_ext::Stretch_minimization& iteration = options.minimization;
   if(given.has("weights"))
@@ -149,7 +149,7 @@ inline void set_search(const Given_options& given, Command_line& line)
 {
   using CGAL_ext::Corner_rule;
   using CGAL_ext::Walk;
-  CGAL_ext::Square_map_options& options = line.options;
+  CGAL_ext::Square_map_settings& options = line.options;
   if(!given.has("strategy"))
     line.strategy = options.balanced ? "bracketing" : "hybrid";
   options.search = named(strategies(given.tuning), "strategy", line.strategy);

@@ -26,7 +26,7 @@ struct Command_line
   std::string strategy, minimizer = "optimal";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
   bool is_quiet = false;
-  CGAL_ext::Square_map_options options;
+  CGAL_ext::Square_map_options<Mesh> options;
   CGAL_ext::internal::Conditioning_options conditioning_options;
 };
 

@@ -79,7 +79,7 @@ inline const std::map<std::string, Weights>& weights()
 }
 
 /// the settings that reproduce the tables of the paper
-inline void apply_paper_preset(CGAL_ext::Square_map_options& options)
+inline void apply_paper_preset(CGAL_ext::Square_map_settings& options)
 {
   options.minimization.weights = CGAL_ext::Shape_preserving_weights();
   options.minimization.eta = 1;

@@ -60,16 +60,6 @@ inline Opened_triangles cut_open(const Triangle_surface& surface, const Cut& cut
   return cut_open(surface, [&cut](int e) { return cut.contains(e); });
 }
 
-/// the surface that `cut_open()` makes, with adjacency of its own
-inline Triangle_surface opened_surface(const Triangle_surface& surface, const Cut& cut)
-{
-  Opened_triangles opened = cut_open(surface, cut);
-  std::vector<Eigen::Vector3d> points;
-  for(int v : opened.originals)
-    points.push_back(surface.points[v]);
-  return make_triangle_surface(std::move(points), std::move(opened.triangles));
-}
-
 } // namespace internal
 } // namespace CGAL_ext
 

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_TO_DISK_H
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Complaint.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
 
 #include <array>
@@ -15,11 +16,25 @@ namespace CGAL_ext {
 namespace internal {
 
 /// refuses options that are out of range
-inline void check_cut_options(const Cut_options& options)
+inline void check_seam_options(const Seam_options& options)
 {
   if(!options.is_valid())
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "the weight or the greatest length of the cut is negative, or its balance is not in [0, 1]");
+}
+
+/// refuses a surface that is not a disk, and says what it is
+[[noreturn]] inline void refuse_uncut(const Triangle_surface& surface)
+{
+  Complaint complaint;
+  if(surface.border_loops.empty())
+    complaint.say("it is closed: it has no border");
+  if(surface.border_loops.size() > 1)
+    complaint.say("it has " + std::to_string(surface.border_loops.size()) + " borders");
+  if(surface.genus() > 0)
+    complaint.say("it has genus " + std::to_string(surface.genus()));
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
+                   "the surface is not a disk, and it is not to be cut: " + complaint.text());
 }
 
 /// refuses a seam from vertex \p a to vertex \p b that is not an edge
@@ -74,8 +89,9 @@ inline Cut complete_seams(const Triangle_surface& surface, const std::vector<std
 ///
 /// Throws `Unmappable` when nothing is to be cut and the surface is no disk, and for seams that make no sense.
 inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
-                       const Cut_options& options, Cut_report& report)
+                       const Seam_options& options, Cut_report& report)
 {
+  check_seam_options(options);
   constexpr int MOST_COMPETITORS = 16; // cuts that are scored concurrently
   Thread_team team(options.number_of_threads, MOST_COMPETITORS);
   Cut cut(surface);
@@ -84,8 +100,7 @@ inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::a
   else if(surface.is_disk() && !options.may_cut_disk())
     return cut;
   else if(options.mode == Cut_mode::NONE)
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
-                     "the surface is not a disk, and it is not to be cut");
+    refuse_uncut(surface);
   else if(options.mode == Cut_mode::BEST)
     cut = Cut_decision(options, team, report)(surface);
   else

@@ -6,8 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/cut_open.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_chords.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 
 #include <limits>
 #include <vector>
@@ -124,15 +123,6 @@ inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& opti
     score.stretch = (std::min)(score.stretch, slow_map(patch, border, options).report.l2);
   score.vertices = (score.is_slow ? SLOWER : 1) * patch.number_of_vertices();
   return score;
-}
-
-/// the opened surface as it is mapped: with four border edges at least, and without chords. Throws `Unmappable` as
-/// `make_patch()`, also for a sphere that is cut along one edge alone: its border of two vertices is none.
-inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
-{
-  const Triangle_surface opened = split_surface_chords(lengthen_surface_border(opened_surface(surface, cut)));
-  return make_patch(opened.points, opened.triangles,
-                    opened.border_loops.empty() ? std::vector<int>() : opened.border_loops.front());
 }
 
 /// scores a cut by the stretch that it leaves on the square and by its length

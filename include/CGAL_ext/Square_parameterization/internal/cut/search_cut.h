@@ -80,7 +80,7 @@ inline const Scored_cut& shortest_of_best(const std::vector<Scored_cut>& cuts, d
 class Cut_decision
 {
 public:
-  Cut_decision(const Cut_options& options, Thread_team& team, Cut_report& report)
+  Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report)
     : m_max_cut_length(options.max_cut_length), m_team(team), m_report(report)
   {
     m_scoring.cut_weight = options.cut_weight;

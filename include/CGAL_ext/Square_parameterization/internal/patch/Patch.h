@@ -54,18 +54,25 @@ inline Uv_coordinates border_coordinates(const Patch& patch, const Uv_coordinate
   return border;
 }
 
+/// refuses points with a coordinate that is not finite; `name(v)` is the number by which a message names a vertex
+template <class Name>
+void check_finite(const std::vector<Eigen::Vector3d>& points, Name name)
+{
+  for(std::size_t v = 0; v < points.size(); ++v)
+    if(!points[v].allFinite())
+      throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                       "vertex " + std::to_string(name(v)) + " has a coordinate that is not finite");
+}
+
 /// multiplies the points by a power of two so that the largest coordinate is near 1: exact, and no square overflows.
 /// The points are moved to their centre first, so that a far origin costs no digits afterwards.
 /// Returns the length, after scaling, below which the coordinates carry no information.
 inline double normalise_coordinates(std::vector<Eigen::Vector3d>& points)
 {
+  check_finite(points, [](std::size_t v) { return v; });
   Eigen::AlignedBox3d box;
-  for(std::size_t v = 0; v < points.size(); ++v) {
-    if(!points[v].allFinite())
-      throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                       "vertex " + std::to_string(v) + " has a coordinate that is not finite");
-    box.extend(points[v]);
-  }
+  for(const Eigen::Vector3d& p : points)
+    box.extend(p);
   const Eigen::Vector3d center = box.min() / 2 + box.max() / 2;
   const double largest = (std::max)(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   const double radius = (box.max() - center).cwiseAbs().maxCoeff();
@@ -191,8 +198,9 @@ inline Patch measured_patch(std::vector<Eigen::Vector3d> points, std::vector<std
 ///
 /// Throws `Unmappable` when the border has fewer than four vertices, and as `measured_patch()`.
 /// Complexity: linear but for the sorting of the edges at a vertex.
+/// \param numbering of the edges of the triangles
 inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
-                        std::vector<int> border)
+                        std::vector<int> border, Edge_numbering numbering)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(triangles.empty())
@@ -205,8 +213,16 @@ inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::ar
   for(int f = 0; f < patch.number_of_faces(); ++f)
     for(int v : patch.triangles[f])
       patch.vertex_areas[v] += patch.shapes[f].area();
-  set_edges(number_edges(patch.points.size(), patch.triangles), patch);
+  set_edges(std::move(numbering), patch);
   return patch;
+}
+
+/// as above, and numbers the edges
+inline Patch make_patch(std::vector<Eigen::Vector3d> points, std::vector<std::array<int, 3>> triangles,
+                        std::vector<int> border)
+{
+  Edge_numbering numbering = number_edges(points.size(), triangles);
+  return make_patch(std::move(points), std::move(triangles), std::move(border), std::move(numbering));
 }
 
 } // namespace internal

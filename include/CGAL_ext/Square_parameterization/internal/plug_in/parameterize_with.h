@@ -4,9 +4,9 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PLUG_IN_PARAMETERIZE_WITH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PLUG_IN_PARAMETERIZE_WITH_H
 
-#include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_patch.h>
 
 #include <type_traits>
 #include <utility>

@@ -42,6 +42,7 @@ struct Triangle_surface
   int origin(int h) const { return triangles[h / 3][h % 3]; }
   int target(int h) const { return triangles[h / 3][(h % 3 + 1) % 3]; }
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
   bool is_border_edge(int e) const { return opposites[edge_halfedges[e]] < 0; }
 
@@ -93,12 +94,12 @@ inline void find_border_loops(Triangle_surface& surface)
 }
 
 /// makes the surface. Lengths are those of \p points as they are.
-/// \pre the triangles are connected, oriented and manifold, and every vertex belongs to one
+/// \param numbering of the edges of the triangles
+/// \pre the triangles are oriented and manifold, and every vertex belongs to one
 inline Triangle_surface make_triangle_surface(std::vector<Eigen::Vector3d> points,
-                                              std::vector<std::array<int, 3>> triangles)
+                                              std::vector<std::array<int, 3>> triangles, Edge_numbering numbering)
 {
   Triangle_surface surface;
-  Edge_numbering numbering = number_edges(points.size(), triangles);
   surface.points = std::move(points);
   surface.triangles = std::move(triangles);
   surface.edges = std::move(numbering.edges);
@@ -122,6 +123,27 @@ inline Triangle_surface make_triangle_surface(std::vector<Eigen::Vector3d> point
   for(const auto& [a, b, c] : surface.triangles)
     surface.area += (surface.points[b] - surface.points[a]).cross(surface.points[c] - surface.points[a]).norm() / 2;
   return surface;
+}
+
+/// as above, and numbers the edges
+inline Triangle_surface make_triangle_surface(std::vector<Eigen::Vector3d> points,
+                                              std::vector<std::array<int, 3>> triangles)
+{
+  Edge_numbering numbering = number_edges(points.size(), triangles);
+  return make_triangle_surface(std::move(points), std::move(triangles), std::move(numbering));
+}
+
+/// the edges of a surface, numbered as they are
+inline Edge_numbering numbering_of(const Triangle_surface& surface)
+{
+  Edge_numbering numbering;
+  numbering.edges = surface.edges;
+  for(int h = 0; h < 3 * surface.number_of_faces(); h += 3) // edge k is opposite to corner k
+    numbering.triangle_edges.push_back(
+        {surface.edge_of_halfedge[h + 1], surface.edge_of_halfedge[h + 2], surface.edge_of_halfedge[h]});
+  for(int e = 0; e < surface.number_of_edges(); ++e)
+    numbering.number_of_triangles.push_back(surface.is_border_edge(e) ? 1 : 2);
+  return numbering;
 }
 
 } // namespace internal

@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_SPLIT_SURFACE_CHORDS_H
-#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_SPLIT_SURFACE_CHORDS_H
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_SPLIT_SURFACE_EDGES_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_SPLIT_SURFACE_EDGES_H
 
+#include <CGAL_ext/Square_parameterization/Chords.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,35 +52,53 @@ inline Triangle_surface split_surface_edges(Triangle_surface surface, const std:
   return make_triangle_surface(std::move(points), std::move(triangles));
 }
 
-/// splits every interior edge between two border vertices at its midpoint: see `split_chords()`, which does the same to
-/// a mesh
-inline Triangle_surface split_surface_chords(Triangle_surface surface)
+/// the chords of a surface: interior edges with both ends on the border. Ears are cut off by one that has a triangle with
+/// two border edges.
+/// \param is_border_vertex,is_border_edge tell of vertices and edges of the surface what counts as border
+template <class Is_border_vertex, class Is_border_edge>
+std::vector<int> chords_of(const Triangle_surface& surface, Chords which, Is_border_vertex is_border_vertex,
+                           Is_border_edge is_border_edge)
 {
+  const auto cuts_off_a_face = [&](int h) {
+    return h >= 0 && is_border_edge(surface.edge_of_halfedge[Triangle_surface::next(h)]) &&
+           is_border_edge(surface.edge_of_halfedge[Triangle_surface::previous(h)]);
+  };
   std::vector<int> chords;
   for(int e = 0; e < surface.number_of_edges(); ++e) {
     const auto& [a, b] = surface.edges[e];
-    if(!surface.is_border_edge(e) && surface.is_border_vertex[a] && surface.is_border_vertex[b])
+    if(is_border_edge(e) || !is_border_vertex(a) || !is_border_vertex(b))
+      continue;
+    const int h = surface.edge_halfedges[e];
+    if(which == Chords::ALL || cuts_off_a_face(h) || cuts_off_a_face(surface.opposites[h]))
       chords.push_back(e);
   }
-  return split_surface_edges(std::move(surface), chords);
+  return chords;
 }
 
-/// gives a border of three edges a fourth: see `lengthen_border()`, which does the same to a mesh
+/// as above, with the border of the surface
+inline std::vector<int> chords_of(const Triangle_surface& surface, Chords which)
+{
+  return chords_of(
+      surface, which, [&surface](int v) { return bool(surface.is_border_vertex[v]); },
+      [&surface](int e) { return surface.is_border_edge(e); });
+}
+
+/// the longest edge of a border of three edges, which is too short for a square; none for a longer one. Ties go to the
+/// lowest edge.
 /// \pre there is one border at most
-inline Triangle_surface lengthen_surface_border(Triangle_surface surface)
+inline std::optional<int> border_edge_to_split(const Triangle_surface& surface)
 {
   if(surface.border_loops.empty() || surface.border_loops.front().size() != 3)
-    return surface;
+    return {};
   std::vector<int> border;
   for(int e = 0; e < surface.number_of_edges(); ++e)
     if(surface.is_border_edge(e))
       border.push_back(e);
   const auto is_shorter = [&](int e, int f) { return surface.lengths[e] < surface.lengths[f]; };
-  const int longest = *std::max_element(border.begin(), border.end(), is_shorter);
-  return split_surface_edges(std::move(surface), {longest});
+  return *std::max_element(border.begin(), border.end(), is_shorter);
 }
 
 } // namespace internal
 } // namespace CGAL_ext
 
-#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_SPLIT_SURFACE_CHORDS_H
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_SPLIT_SURFACE_EDGES_H

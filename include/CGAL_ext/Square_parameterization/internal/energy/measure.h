@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_MEASURE_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_MEASURE_H
+
+#include <CGAL_ext/Square_parameterization/Stretch_measures.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// measures a map given as flat arrays, in any unit of length
+inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
+                                const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
+{
+  Stretch_measures result;
+  result.flipped_faces = number_of_flipped_faces(triangles, uv);
+  double energy = 0, inverse_energy = 0, surface_area = 0;
+  for(std::size_t f = 0; f < triangles.size(); ++f) {
+    const Triangle_stretch stretch = triangle_stretch(shapes[f], uv, triangles[f]);
+    const double area = shapes[f].area();
+    surface_area += area;
+    result.uv_area += stretch.uv_area;
+    result.linf = (std::max)(result.linf, stretch.linf);
+    result.face_l2.push_back(std::sqrt(stretch.l2_squared));
+    if(area > 0) {
+      energy += stretch.l2_squared * area;
+      // s1^2 + s2^2 of the surface-to-plane map: that of its inverse, divided by the squared determinant
+      const double determinant = area / stretch.uv_area;
+      inverse_energy += stretch.l2_squared / (determinant * determinant) * area;
+    }
+  }
+  const double scale = std::sqrt(result.uv_area / surface_area);
+  result.l2 = std::sqrt(energy / surface_area) * scale;
+  result.linf *= scale;
+  for(double& l2 : result.face_l2)
+    l2 *= scale;
+  result.symmetric_dirichlet = (energy * scale * scale + inverse_energy / (scale * scale)) / (2 * surface_area);
+  if(result.flipped_faces > 0 || !(energy < std::numeric_limits<double>::infinity()))
+    result.l2 = result.linf = result.symmetric_dirichlet = std::numeric_limits<double>::infinity();
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_MEASURE_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_FACE_GRAPH_ARRAYS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_FACE_GRAPH_ARRAYS_H
+
+#include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Surface_arrays.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// flat arrays and the mesh vertices that theirs stand for
+template <class TriangleMesh>
+struct Face_graph_arrays
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+
+  Surface_arrays arrays;
+  std::vector<vertex_descriptor> vertices; ///< #V, in the order of the mesh
+};
+
+/// the position of \p v, read as `double`
+template <class VertexPointMap, class Vertex>
+Eigen::Vector3d point_of(VertexPointMap vpm, Vertex v)
+{
+  const auto& p = get(vpm, v);
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+/// refuses faces that are not triangles
+template <class TriangleMesh, class FaceRange>
+void check_triangles(const TriangleMesh& mesh, const FaceRange& face_range)
+{
+  std::size_t polygons = 0;
+  for(auto f : face_range)
+    polygons += CGAL::is_triangle(halfedge(f, mesh), mesh) ? 0 : 1;
+  if(polygons > 0)
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NON_TRIANGULAR_MESH,
+                     std::to_string(polygons) +
+                         (polygons == 1 ? " face is not a triangle" : " faces are not triangles"));
+}
+
+/// reads some faces of a mesh, and their vertices: the one walk over a mesh. Corner 0 of a face is where its first
+/// halfedge begins. Coordinates are read as `double`.
+///
+/// Throws `Unmappable` when a face is not a triangle. Complexity: linear.
+template <class TriangleMesh, class FaceRange, class VertexPointMap>
+Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexPointMap vpm)
+{
+  check_triangles(mesh, face_range);
+  Face_graph_arrays<TriangleMesh> result;
+  auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
+  for(auto v : vertices(mesh))
+    put(index, v, -1);
+  for(auto f : face_range)
+    for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      put(index, source(h, mesh), 0);
+  std::size_t place = 0;
+  for(auto v : vertices(mesh)) {
+    if(get(index, v) == 0) {
+      put(index, v, static_cast<int>(result.vertices.size()));
+      result.vertices.push_back(v);
+      result.arrays.points.push_back(point_of(vpm, v));
+      result.arrays.places.push_back(place);
+    }
+    ++place;
+  }
+  if(place == result.vertices.size())
+    result.arrays.places.clear();
+  for(auto f : face_range) {
+    std::array<int, 3> triangle{};
+    int corner = 0;
+    for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      triangle[corner++] = get(index, source(h, mesh));
+      result.arrays.border_sides += CGAL::is_border(opposite(h, mesh), mesh) ? 1 : 0;
+    }
+    result.arrays.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_FACE_GRAPH_ARRAYS_H

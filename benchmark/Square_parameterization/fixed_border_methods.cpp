@@ -9,6 +9,8 @@
 //
 //   fixed_border_methods build/data/meshes/lion-head.off build/data/meshes/nefertiti.off --repetitions 5 --csv times.csv
 
+#include "include/first_border_halfedge.h"
+
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Quarter_brute_force_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Square_border_arc_length_parameterizer_3.h>
@@ -186,7 +188,7 @@ Result run(const Method& method, const Mesh& input, int repetitions)
   for(int i = 0; i < repetitions; ++i) {
     Mesh mesh = input;
     UV_map uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
-    const Halfedge border = CGAL_ext::internal::first_border_halfedge(mesh);
+    const Halfedge border = first_border_halfedge(mesh);
     const auto start = std::chrono::steady_clock::now();
     try {
       result.answer = method.map(mesh, border, uv);

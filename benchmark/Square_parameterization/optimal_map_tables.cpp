@@ -9,6 +9,7 @@
 //
 //   optimal_map_tables build/data/meshes/lion-head.off build/data/meshes/three_peaks.off --generated
 
+#include "include/first_border_halfedge.h"
 #include "include/paper_tables/generated_meshes.h"
 
 #include "../../examples/Square_parameterization/include/square_map/option_values.h"

@@ -74,7 +74,7 @@ TEST_CASE("the optimal parameterizer is a drop-in, and its map is lower than tha
   CHECK(is_one_to_one(parameterize(mesh, Stretch_optimal_parameterizer_3<Surface_mesh>()), mesh.number_of_faces()));
   const auto energy_of = [&mesh](const auto& parameterizer, double balance) {
     auto uvmap = mesh.add_property_map<vertex_descriptor, Point_2>("v:uv").first;
-    const auto bhd = internal::first_border_halfedge(mesh);
+    const auto bhd = first_border_halfedge_of(mesh);
     REQUIRE(SMP::parameterize(mesh, parameterizer, bhd, uvmap) == SMP::OK);
     const Stretch_measures measures = measure_stretch(mesh, uvmap);
     const double twice_l2 = 2 * measures.l2 * measures.l2;
@@ -104,7 +104,7 @@ TEMPLATE_TEST_CASE("the optimal parameterizer takes any convex border as it is",
   Surface_mesh mesh = curved_mesh();
   typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
   auto border = mesh.add_property_map<vertex_descriptor, Point_2>("v:border").first;
-  const auto bhd = internal::first_border_halfedge(mesh);
+  const auto bhd = first_border_halfedge_of(mesh);
   REQUIRE(TestType().parameterize(mesh, bhd, border, CGAL::Constant_property_map<vertex_descriptor, int>(0),
                                   CGAL::Constant_property_map<vertex_descriptor, bool>()) == SMP::OK);
   typedef Stretch_optimal_parameterizer_3<Surface_mesh, TestType> Optimal;

@@ -4,6 +4,7 @@
 #include "square_map_case.h"
 
 #include <CGAL_ext/Square_parameterization/Brute_force_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/split_chords.h>
 
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -7,6 +7,8 @@
 #include "closed_meshes.h"
 #include "square_map_case.h"
 
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
+
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/cut_along_seams.h>
 #include <CGAL_ext/Square_parameterization/mark_seams.h>
+#include <CGAL_ext/Square_parameterization/split_chords.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>

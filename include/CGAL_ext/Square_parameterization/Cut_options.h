@@ -55,9 +55,6 @@ struct Seam_options : Cut_options
 {
   Seam_options() = default;
   Seam_options(const Cut_options& cut) : Cut_options(cut) {}
-  Seam_options(const Cut_options& cut, double balance, unsigned int number_of_threads)
-    : Cut_options(cut), balance(balance), number_of_threads(number_of_threads)
-  {}
 
   /// `BEST`: balance of the energy by which cuts are judged, in [0, 1]: see `Balanced_minimization`
   double balance = Balanced_minimization().balance;

@@ -131,7 +131,7 @@ Answer map_by_hybrid_search(Mesh& mesh, Halfedge, UV_map uv)
 {
   CGAL_ext::Square_map_options options;
   options.search = CGAL_ext::Hybrid_corner_search();
-  options.balanced.reset();
+  options.minimization = CGAL_ext::Stretch_minimization();
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
   return {result.message, result.search.evaluations};
 }

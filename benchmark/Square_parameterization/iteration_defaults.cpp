@@ -51,9 +51,11 @@ void measure(const std::vector<Mesh>& meshes, const std::string& name, const Wei
   print_setting(name, eta, patience);
   CGAL_ext::Square_map_options options;
   options.search = CGAL_ext::Quarter_brute_force_corner_search();
-  options.minimization.weights = weights;
-  options.minimization.eta = eta;
-  options.minimization.patience = patience;
+  CGAL_ext::Stretch_minimization minimization;
+  minimization.weights = weights;
+  minimization.eta = eta;
+  minimization.patience = patience;
+  options.minimization = minimization;
   for(Mesh mesh : meshes) {
     const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
     const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));

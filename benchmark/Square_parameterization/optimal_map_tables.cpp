@@ -60,12 +60,13 @@ Search_outcome search(const Patch& patch, const Map_minimizer& minimizer, const 
   return search_square_map(patch, minimizer, strategy, options);
 }
 
-Map_minimizer balanced_minimizer(const Patch& patch, double balance, Border_motion border = Border_motion::SLIDING)
+std::shared_ptr<const Map_minimizer> balanced_minimizer(const Patch& patch, double balance,
+                                                        Border_motion border = Border_motion::SLIDING)
 {
   Balanced_minimization minimization;
   minimization.balance = balance;
   minimization.border = border;
-  return minimization.make_minimizer(patch);
+  return make_minimizer(patch, minimization);
 }
 
 void print_measures(const std::string& row, const Patch& patch, const Uv_coordinates& uv)
@@ -84,19 +85,20 @@ void print_balances(const Model& model)
   std::cout << model.name << ", " << model.patch.number_of_faces()
             << " faces               L2     Linf sym.Dir.   angles largest s1 flips\n";
   Square_map_options paper;
+  paper.minimization = Stretch_minimization();
   square_map::apply_paper_preset(paper);
   print_measures("paper, brute force", model.patch,
-                 search(model.patch, paper.minimization.make_minimizer(model.patch), Brute_force_corner_search(),
+                 search(model.patch, *make_minimizer(model.patch, paper.minimization), Brute_force_corner_search(),
                         paper.search_options)
                      .map.uv);
   print_measures(
       "iteration, brute force", model.patch,
-      search(model.patch, Stretch_minimization().make_minimizer(model.patch), Brute_force_corner_search()).map.uv);
+      search(model.patch, *make_minimizer(model.patch, Stretch_minimization()), Brute_force_corner_search()).map.uv);
   for(const double balance : {0., 0.03, 0.1, 0.2, 0.3, 0.5, 1.}) {
     std::ostringstream row;
     row << "balance " << balance;
     print_measures(row.str(), model.patch,
-                   search(model.patch, balanced_minimizer(model.patch, balance), Bracketing_corner_search()).map.uv);
+                   search(model.patch, *balanced_minimizer(model.patch, balance), Bracketing_corner_search()).map.uv);
   }
 }
 
@@ -111,9 +113,9 @@ void print_gains(const Model& model)
     std::cout << std::setw(10) << l2_of(minimizer, First_candidate_corner_search()) << std::setw(10)
               << l2_of(minimizer, strategy);
   };
-  print_pair(Stretch_minimization().make_minimizer(model.patch), Quarter_brute_force_corner_search());
-  print_pair(balanced_minimizer(model.patch, 0.3, Border_motion::FIXED), Bracketing_corner_search());
-  print_pair(balanced_minimizer(model.patch, 0.3), Bracketing_corner_search());
+  print_pair(*make_minimizer(model.patch, Stretch_minimization()), Quarter_brute_force_corner_search());
+  print_pair(*balanced_minimizer(model.patch, 0.3, Border_motion::FIXED), Bracketing_corner_search());
+  print_pair(*balanced_minimizer(model.patch, 0.3), Bracketing_corner_search());
   std::cout << std::endl;
 }
 
@@ -122,9 +124,9 @@ void print_gains(const Model& model)
 bool print_bracketing(const Model& model)
 {
   constexpr double TOLERANCE = 2e-4;
-  const Map_minimizer minimizer = balanced_minimizer(model.patch, 0.3);
-  const Search_report all = search(model.patch, minimizer, Quarter_brute_force_corner_search()).report;
-  const Search_report found = search(model.patch, minimizer, Bracketing_corner_search()).report;
+  const auto minimizer = balanced_minimizer(model.patch, 0.3);
+  const Search_report all = search(model.patch, *minimizer, Quarter_brute_force_corner_search()).report;
+  const Search_report found = search(model.patch, *minimizer, Bracketing_corner_search()).report;
   double least = std::numeric_limits<double>::infinity(), reached = least;
   for(const auto& sample : all.curve)
     least = (std::min)(least, sample.objective);

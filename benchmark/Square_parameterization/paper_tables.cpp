@@ -145,7 +145,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   CGAL_ext::Square_map_options map_options;
-  map_options.balanced.reset(); // the iteration of the paper
+  map_options.minimization = CGAL_ext::Stretch_minimization(); // the iteration of the paper
   if(preset == "paper")
     square_map::apply_paper_preset(map_options);
   map_options.search_options.number_of_threads = threads;

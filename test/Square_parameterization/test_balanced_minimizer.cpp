@@ -14,15 +14,16 @@ using namespace CGAL_ext::internal;
 
 namespace {
 
-Balanced_options options(double balance, bool is_border_sliding)
+Balanced_minimization options(double balance, bool is_border_sliding)
 {
-  Balanced_options result;
+  Balanced_minimization result;
   result.balance = balance;
-  result.is_border_sliding = is_border_sliding;
+  result.border = is_border_sliding ? Border_motion::SLIDING : Border_motion::FIXED;
   return result;
 }
 
-Minimized_map minimized(const Patch& patch, Uv_coordinates start, const Balanced_options& options, double tolerance)
+Minimized_map minimized(const Patch& patch, Uv_coordinates start, const Balanced_minimization& options,
+                        double tolerance)
 {
   Balanced_minimizer::Workspace workspace;
   return Balanced_minimizer(patch, options).minimize({std::move(start), {}, {}}, tolerance, workspace);
@@ -201,7 +202,7 @@ TEST_CASE("a map stopped after any number of steps has no flips, and continued i
 {
   const Patch patch = make_patch_of(cone(6, 6, 19));
   for(unsigned int steps = 0; steps < 12; ++steps) {
-    Balanced_options stopped = options(0, true);
+    Balanced_minimization stopped = options(0, true);
     stopped.maximum_iterations = steps;
     const Minimized_map map = minimized(patch, some_map(patch), stopped, 0);
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);

@@ -207,7 +207,9 @@ TEST_CASE("base weights of a user work in the parameterizer and in the free func
   CHECK(is_one_to_one(result, mesh.number_of_faces()));
 
   Square_map_options options;
-  options.minimization.weights = Inverse_length_weights();
+  Stretch_minimization minimization;
+  minimization.weights = Inverse_length_weights();
+  options.minimization = minimization;
   Uv_storage<Surface_mesh, Point_2> storage;
   CHECK(parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options)).status == SMP::OK);
   CHECK(count_orientations(mesh, storage).counterclockwise == mesh.number_of_faces());

@@ -4,7 +4,8 @@
 #include "multilevel_cases.h"
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <catch2/catch.hpp>
@@ -167,7 +168,7 @@ TEST_CASE("where two corners fall into one vertex there is no coarse border, and
   const Uv_coordinates border_uv =
       border_with_corners(fine, {first, (first + 1) % size, (first + size / 3) % size, (first + 2 * size / 3) % size});
   CHECK_FALSE(coarse_border(fine, coarse, border_uv));
-  const Minimized_map map = Balanced_minimization().make_minimizer(fine).make_worker()(border_uv, nullptr);
+  const Minimized_map map = make_minimizer(fine, Balanced_minimization())->make_worker()(border_uv, nullptr);
   REQUIRE(map.uv.rows() == fine.number_of_vertices());
   CHECK(number_of_flipped_faces(fine.triangles, map.uv) == 0);
   check_border(border_coordinates(fine, map.uv));
@@ -178,9 +179,9 @@ TEST_CASE("a flat square, half of whose vertices are border, is mapped onto itse
 {
   const Patch patch = square_of_rings(2048);
   REQUIRE(patch.number_of_vertices() > 2000);
-  Balanced_options options;
+  Balanced_minimization options;
   options.search_tolerance = 1e-9;
-  const Multilevel_minimizer minimizer(patch, start_of, options);
+  const Multilevel_minimizer minimizer(patch, options);
   CHECK_FALSE(minimizer.keeps_border());
   Multilevel_minimizer::Workspace workspace;
   const Minimized_map map = minimizer.minimize(border_with_corners(patch, {0, 512, 1024, 1536}), workspace);
@@ -192,12 +193,12 @@ TEST_CASE("a flat square, half of whose vertices are border, is mapped onto itse
 TEST_CASE("a coarse border leads to the minimum that the minimizer alone finds")
 {
   const Patch patch = square_of_rings(2048);
-  Balanced_options options;
+  Balanced_minimization options;
   options.search_tolerance = 1e-9;
   for(int candidate : {100, 333}) {
     const Uv_coordinates border_uv = border_of(patch, candidate);
     Multilevel_minimizer::Workspace workspace;
-    const Minimized_map map = Multilevel_minimizer(patch, start_of, options).minimize(border_uv, workspace);
+    const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_uv, workspace);
     Balanced_minimizer::Workspace alone_workspace;
     Stretch_iteration::Workspace iteration_workspace;
     Uv_coordinates start = start_of(patch).minimize(border_uv, 1, iteration_workspace).uv;
@@ -212,7 +213,7 @@ TEST_CASE("a border that slides on the square stays on any other curve, however 
 {
   const Patch patch = patch_without_chords(comb(50, 3));
   const Uv_coordinates circle = circular_border(patch.border_lengths, 1);
-  const Minimized_map map = Balanced_minimization().make_minimizer(patch).map_border(circle);
+  const Minimized_map map = make_minimizer(patch, Balanced_minimization())->map_border(circle);
   REQUIRE(map.uv.rows() == patch.number_of_vertices());
   CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
   CHECK(border_coordinates(patch, map.uv) == circle);

@@ -103,11 +103,11 @@ TEST_CASE("coarse to fine ends where the minimizer alone ends")
 {
   for(const Patch& patch : large_patches())
     for(bool is_sliding : {false, true}) {
-      Balanced_options options;
-      options.is_border_sliding = is_sliding;
+      Balanced_minimization options;
+      options.border = is_sliding ? Border_motion::SLIDING : Border_motion::FIXED;
       options.search_tolerance = 1e-9;
       Multilevel_minimizer::Workspace workspace;
-      const Minimized_map map = Multilevel_minimizer(patch, start_of, options).minimize(border_of(patch, 2), workspace);
+      const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_of(patch, 2), workspace);
       Stretch_iteration::Workspace iteration_workspace;
       Balanced_minimizer::Workspace alone_workspace;
       Uv_coordinates start = start_of(patch).minimize(border_of(patch, 2), 1, iteration_workspace).uv;
@@ -122,7 +122,7 @@ TEST_CASE("coarse to fine ends where the minimizer alone ends")
 TEST_CASE("a workspace may be used for one border after the other, and the result does not depend on it")
 {
   const Patch patch = make_patch_of(saddle(25));
-  const Multilevel_minimizer minimizer(patch, start_of, {});
+  const Multilevel_minimizer minimizer(patch);
   Multilevel_minimizer::Workspace used, fresh;
   minimizer.minimize(border_of(patch, 7), used);
   CHECK(minimizer.minimize(border_of(patch, 3), used).uv == minimizer.minimize(border_of(patch, 3), fresh).uv);
@@ -144,9 +144,9 @@ TEST_CASE("a map carried over to its own border is itself, and to another border
 TEST_CASE("a warm start leads to the same minimum")
 {
   const Patch patch = make_patch_of(saddle(40));
-  Balanced_options options;
+  Balanced_minimization options;
   options.search_tolerance = 1e-9;
-  const Multilevel_minimizer minimizer(patch, start_of, options);
+  const Multilevel_minimizer minimizer(patch, options);
   Multilevel_minimizer::Workspace workspace;
   const Minimized_map neighbor = minimizer.minimize(border_of(patch, 4), workspace);
   REQUIRE(neighbor.warm_start.rows() > 0);
@@ -162,12 +162,11 @@ TEST_CASE("coarse to fine has no flips at any balance, however early it is stopp
   for(const Patch& patch : large_patches())
     for(double balance : {0., 0.01, 0.1, 0.3, 1.})
       for(unsigned int steps : {0u, 1u, 5u}) {
-        Balanced_options options;
+        Balanced_minimization options;
         options.balance = balance;
         options.maximum_iterations = steps;
         Multilevel_minimizer::Workspace workspace;
-        const Minimized_map map =
-            Multilevel_minimizer(patch, start_of, options).minimize(border_of(patch, 0), workspace);
+        const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_of(patch, 0), workspace);
         CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
       }
 }
@@ -180,16 +179,16 @@ TEST_CASE("a mesh whose Tutte map has triangles of area below 1e-12 is mapped wi
     tutte.weights = Uniform_weights();
     tutte.maximum_iterations = 0;
     Stretch_iteration::Workspace iteration_workspace;
-    const Minimized_map hard = tutte.make_iteration(patch).minimize(border_of(patch, 0), 1, iteration_workspace);
+    const Minimized_map hard = Stretch_iteration(patch, tutte).minimize(border_of(patch, 0), 1, iteration_workspace);
     double least_area = 1;
     for(const auto& t : patch.triangles)
       least_area = hard.uv.rows() > 0 ? (std::min)(least_area, twice_uv_area(hard.uv, t) / 2) : 0;
     INFO(rings << " rings, least area " << least_area);
     REQUIRE(least_area < 1e-12);
-    Balanced_options options;
+    Balanced_minimization options;
     options.search_tolerance = 1e-6;
     Multilevel_minimizer::Workspace workspace;
-    const Minimized_map map = Multilevel_minimizer(patch, start_of, options).minimize(border_of(patch, 0), workspace);
+    const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_of(patch, 0), workspace);
     REQUIRE(map.uv.rows() > 0);
     CHECK(map.report.stop_reason == Stop_reason::CONVERGED);
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
@@ -204,10 +203,10 @@ TEST_CASE("a patch with long teeth, whose first map is lost in rounding, is mapp
       const Uv_coordinates border = border_of(patch, 0);
       Stretch_iteration::Workspace iteration_workspace;
       REQUIRE(start_of(patch).minimize(border, 1, iteration_workspace).uv.rows() == 0);
-      Balanced_options options;
-      options.is_border_sliding = is_sliding;
+      Balanced_minimization options;
+      options.border = is_sliding ? Border_motion::SLIDING : Border_motion::FIXED;
       Multilevel_minimizer::Workspace workspace;
-      const Minimized_map map = Multilevel_minimizer(patch, start_of, options).minimize(border, workspace);
+      const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border, workspace);
       REQUIRE(map.uv.rows() == patch.number_of_vertices());
       CHECK(map.report.stop_reason == Stop_reason::CONVERGED);
       CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);

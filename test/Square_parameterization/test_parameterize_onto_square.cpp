@@ -27,8 +27,9 @@ TEST_CASE("the result tells the map")
   const Flat_mesh flat = noisy_height_field(6);
   Square_map_options options;
   options.search = Quarter_brute_force_corner_search();
-  if(GENERATE(true, false))
-    options.balanced.reset();
+  const bool is_iterative = GENERATE(true, false);
+  if(is_iterative)
+    options.minimization = Stretch_minimization();
   const auto [result, uv] = map_onto_square(flat, options);
   REQUIRE(result.status == SMP::OK);
   CHECK(result.message.empty());
@@ -47,7 +48,7 @@ TEST_CASE("the result tells the map")
     CHECK(sample.objective >= result.search.best_objective);
 
   const Reference_stretch reference = reference_stretch(flat.points, flat.triangles, uv);
-  if(!options.balanced)
+  if(is_iterative)
     CHECK(result.search.best_objective == Approx(reference.l2).epsilon(1e-12));
   CHECK(result.search.best_objective == result.minimization.objective);
   CHECK(result.minimization.l2 == Approx(reference.l2).epsilon(1e-12));
@@ -75,8 +76,9 @@ TEST_CASE("a flat square with its own corners is mapped to itself by weights wit
 {
   const Flat_mesh flat = unit_square(8);
   Square_map_options options = with_corners({0, 8, 80, 72});
-  options.minimization.weights = Mean_value_weights();
-  options.balanced.reset();
+  Stretch_minimization minimization;
+  minimization.weights = Mean_value_weights();
+  options.minimization = minimization;
   const auto [result, uv] = map_onto_square(flat, options);
   REQUIRE(result.status == SMP::OK);
   CHECK(std::abs(result.measures.l2 - 1) < 1e-12);
@@ -87,9 +89,11 @@ TEST_CASE("a flat square with its own corners is mapped to itself by weights wit
 TEST_CASE("a flat square is mapped to itself by the defaults, as nearly as the tolerance asks")
 {
   const Flat_mesh flat = unit_square(8);
-  Square_map_options options;
+  Balanced_minimization minimization;
   for(double tolerance : {1e-5, 1e-14}) {
-    options.balanced->tolerance = tolerance;
+    minimization.tolerance = tolerance;
+    Square_map_options options;
+    options.minimization = minimization;
     const auto [result, uv] = map_onto_square(flat, options);
     REQUIRE(result.status == SMP::OK);
     CHECK(std::abs(result.measures.l2 - 1) < tolerance);
@@ -115,8 +119,14 @@ TEST_CASE("numbers out of range are refused")
 {
   const double eta = GENERATE(0., -1., 1.0001, std::nan(""));
   Square_map_options options;
-  options.minimization.eta = eta;
-  CHECK(map_onto_square(unit_square(3), options).result.status == SMP::ERROR_WRONG_PARAMETER);
+  Stretch_minimization iteration;
+  iteration.eta = eta;
+  Balanced_minimization balanced;
+  balanced.start.eta = eta;
+  for(const Minimization& minimization : {Minimization(iteration), Minimization(balanced)}) {
+    options.minimization = minimization;
+    CHECK(map_onto_square(unit_square(3), options).result.status == SMP::ERROR_WRONG_PARAMETER);
+  }
 
   Surface_mesh mesh = make_mesh<Surface_mesh>(unit_square(3));
   typedef Stretch_minimizing_parameterizer_3<Surface_mesh> Parameterizer;

@@ -4,7 +4,7 @@
 #include "mapped_patches.h"
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 
 #include <catch2/catch.hpp>
 
@@ -147,8 +147,7 @@ TEST_CASE("an iteration that starts with a map lost in rounding goes on from the
   };
   const Square_border border =
       square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), {0, 8, 16, 24});
-  const Map_minimizer minimizer = options.make_minimizer(patch);
-  const Minimized_map map = minimizer.make_worker()(border.uv, nullptr);
+  const Minimized_map map = make_minimizer(patch, options)->make_worker()(border.uv, nullptr);
   REQUIRE(map.uv.rows() == patch.number_of_vertices());
   CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
   CHECK(std::isfinite(map.report.l2));

@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <catch2/catch.hpp>
@@ -84,9 +85,9 @@ TEST_CASE("where there is no sketch, or no map round the best of them, bracketin
 TEST_CASE("sketches of large patches tell their borders apart as their maps do")
 {
   for(const Patch& patch : large_patches()) {
-    const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
-    REQUIRE(minimizer.has_sketches());
-    const auto map_for = minimizer.make_worker(), sketch_for = minimizer.make_sketching_worker();
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    REQUIRE(minimizer->has_sketches());
+    const auto map_for = minimizer->make_worker(), sketch_for = minimizer->make_sketching_worker();
     Stretch_curve energies, sketched;
     for(const Uv_coordinates& border_uv : spread_borders(patch, 6)) {
       energies.push_back(map_for(border_uv, nullptr).report.objective);
@@ -111,9 +112,9 @@ TEST_CASE("no sketch of a plate of many holes is lost on the way from coarse to 
         surface_of(voxels(82, 82, 1, [period](int x, int y, int) { return x % period < 2 || y % period < 2; }));
     Thread_team team(1, 1);
     const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
-    const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
-    REQUIRE(minimizer.has_sketches());
-    const auto sketch_for = minimizer.make_sketching_worker();
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    REQUIRE(minimizer->has_sketches());
+    const auto sketch_for = minimizer->make_sketching_worker();
     Stretch_curve energies;
     for(const Uv_coordinates& border_uv : spread_borders(patch, 8))
       energies.push_back(sketch_for(border_uv, nullptr).report.objective);
@@ -125,21 +126,21 @@ TEST_CASE("no sketch of a plate of many holes is lost on the way from coarse to 
 TEST_CASE("small patches are mapped without sketches, and so is any patch by the iteration")
 {
   const Patch small = make_patch_of(saddle(30)), large = make_patch_of(saddle(92));
-  CHECK_FALSE(Balanced_minimization().make_minimizer(small).has_sketches());
-  CHECK_FALSE(Stretch_minimization().make_minimizer(large).has_sketches());
+  CHECK_FALSE(make_minimizer(small, Balanced_minimization())->has_sketches());
+  CHECK_FALSE(make_minimizer(large, Stretch_minimization())->has_sketches());
 }
 
 TEST_CASE("a search over a large patch makes sketches, and the same for any number of threads")
 {
   const Patch patch = make_patch_of(noisy_height_field(92));
-  const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
   Square_search_options options;
   options.number_of_threads = 1;
-  const Search_outcome one = search_square_map(patch, minimizer, Bracketing_corner_search(), options);
+  const Search_outcome one = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
   CHECK(one.report.sketches >= 32);
   CHECK(one.report.evaluations < 12);
   options.number_of_threads = 3;
-  const Search_outcome three = search_square_map(patch, minimizer, Bracketing_corner_search(), options);
+  const Search_outcome three = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
   CHECK(three.map.uv == one.map.uv);
   CHECK(three.report.sketches == one.report.sketches);
 }
@@ -147,7 +148,7 @@ TEST_CASE("a search over a large patch makes sketches, and the same for any numb
 TEST_CASE("a search may be cancelled while it makes sketches")
 {
   const Patch patch = make_patch_of(saddle(92));
-  const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
   Square_search_options options;
   options.number_of_threads = 1;
   int asked = 0;
@@ -155,7 +156,7 @@ TEST_CASE("a search may be cancelled while it makes sketches")
     CHECK(share == 0);
     return ++asked < 5;
   };
-  const Search_outcome outcome = search_square_map(patch, minimizer, Bracketing_corner_search(), options);
+  const Search_outcome outcome = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
   CHECK(asked == 5);
   CHECK(outcome.report.is_cancelled);
   CHECK(outcome.report.best_candidate == -1);

@@ -17,17 +17,30 @@ using namespace CGAL_ext::internal;
 
 namespace {
 
-Minimized_map minimize(const Patch& patch, const Edge_weights& weights, const Stretch_iteration_options& options,
+/// the numbers of the iteration but for its weights
+struct Numbers
+{
+  double eta = Stretch_minimization().eta;
+  unsigned int patience = Stretch_minimization().patience;
+  unsigned int maximum_iterations = Stretch_minimization().maximum_iterations;
+};
+
+Stretch_minimization minimization(const Edge_weights& weights, const Numbers& numbers)
+{
+  return {[weights](const Patch&) { return weights; }, numbers.eta, numbers.patience, numbers.maximum_iterations};
+}
+
+Minimized_map minimize(const Patch& patch, const Edge_weights& weights, const Numbers& numbers,
                        const Uv_coordinates& border_uv, double uv_area = 1)
 {
-  const Stretch_iteration iteration(patch, weights, make_direct_solver, options);
+  const Stretch_iteration iteration(patch, minimization(weights, numbers));
   Stretch_iteration::Workspace workspace;
   return iteration.minimize(border_uv, uv_area, workspace);
 }
 
-Minimized_map minimize(const Patch& patch, const Edge_weights& weights, const Stretch_iteration_options& options)
+Minimized_map minimize(const Patch& patch, const Edge_weights& weights, const Numbers& numbers)
 {
-  return minimize(patch, weights, options, first_square_border(patch));
+  return minimize(patch, weights, numbers, first_square_border(patch));
 }
 
 /// the first iterate of least stretch
@@ -150,7 +163,7 @@ TEST_CASE("a workspace may serve many borders in any order")
   };
   for(bool is_symmetric : {true, false}) {
     const Edge_weights weights = is_symmetric ? Blended_weights()(patch) : Mean_value_weights()(patch);
-    const Stretch_iteration iteration(patch, weights, make_direct_solver, {});
+    const Stretch_iteration iteration(patch, minimization(weights, {}));
     Stretch_iteration::Workspace used;
     iteration.minimize(border_of(5), 1, used);
     const Minimized_map again = iteration.minimize(border_of(2), 1, used);

@@ -51,15 +51,6 @@ struct Balanced_minimization
     return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0 && start.is_valid();
   }
 
-  /// \cond SKIP_IN_MANUAL
-  internal::Map_minimizer make_minimizer(const internal::Patch& patch) const
-  {
-    return {patch, [iteration = start](const internal::Patch& coarsest) { return iteration.make_iteration(coarsest); },
-            internal::Balanced_options{balance, border == Border_motion::SLIDING, search_tolerance, tolerance,
-                                       maximum_iterations}};
-  }
-  /// \endcond
-
 private:
   static Stretch_minimization few_iterations()
   {

@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H
 
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+
 #include <limits>
 
 namespace CGAL_ext {
@@ -33,7 +35,7 @@ struct Cut_options
   double max_cut_length = std::numeric_limits<double>::infinity();
 
   /// `BEST`: balance of the energy by which cuts are judged: see `Balanced_minimization`
-  double balance = 0.3;
+  double balance = Balanced_minimization().balance;
 
   /// `BEST`: whether a disk is cut, too, where the L2 stretch falls by more than the weighted length of the cut, as it
   /// does on a closed surface with a small hole. Both sides of the cut then lie on the border of the square, too. Cuts

@@ -4,11 +4,10 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_OPTIONS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_OPTIONS_H
 
-#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/Minimization.h>
 #include <CGAL_ext/Square_parameterization/Square_search_options.h>
-#include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/split_chords.h>
 
@@ -26,12 +25,10 @@ struct Square_map_options
 {
   /// chooses the corners: any model of `CornerSearch`
   Corner_search search = Bracketing_corner_search();
-  /// how each candidate is mapped: by the minimizer of the balanced energy, or, when this is empty, by the iteration
-  std::optional<Balanced_minimization> balanced = Balanced_minimization();
-  Stretch_minimization minimization;    ///< the iteration; `Hybrid_corner_search` suits it
-  Square_search_options search_options; ///< corner rule, walk, threads, visitor and callback
-  Chords chords = Chords::ALL;          ///< which chords are split
-  /// how the surface is cut to a disk; its balance is that of `balanced`, where there is one, and its number of
+  Minimization minimization = Balanced_minimization(); ///< how each candidate is mapped
+  Square_search_options search_options;                ///< corner rule, walk, threads, visitor and callback
+  Chords chords = Chords::ALL;                         ///< which chords are split
+  /// how the surface is cut to a disk; its balance is that of `minimization`, where that has one, and its number of
   /// threads that of `search_options`
   Cut_options cut;
 

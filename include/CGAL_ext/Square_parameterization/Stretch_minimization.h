@@ -5,7 +5,6 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_MINIMIZATION_H
 
 #include <CGAL_ext/Square_parameterization/base_weights.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
 
 #include <functional>
 
@@ -14,7 +13,8 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationSearches
 ///
 /// the stretch-minimizing parameterization (Yoshizawa, Belyaev and Seidel 2004) with its numbers: what a search
-/// minimises when its border parameterizer serves a parameterizer of CGAL, and what `parameterize_onto_square()` does.
+/// minimises when its border parameterizer serves a parameterizer of CGAL, and what `parameterize_onto_square()` does when
+/// its options say so. `Hybrid_corner_search` suits it.
 struct Stretch_minimization
 {
   /// the weights of the first system: any model of `BaseWeights`
@@ -33,24 +33,6 @@ struct Stretch_minimization
 
   /// indicates whether weights are given and `eta` is in its range
   bool is_valid() const { return weights && eta > 0 && eta <= 1; }
-
-  /// \cond SKIP_IN_MANUAL
-  internal::Stretch_iteration
-  make_iteration(const internal::Patch& patch,
-                 const internal::Linear_solver_factory& make_solver = internal::make_direct_solver) const
-  {
-    return {patch, weights(patch), make_solver, {eta, patience, maximum_iterations}};
-  }
-
-  internal::Map_minimizer
-  make_minimizer(const internal::Patch& patch,
-                 const internal::Linear_solver_factory& make_solver = internal::make_direct_solver) const
-  {
-    return {patch, [minimization = *this, make_solver](const internal::Patch& p) {
-              return minimization.make_iteration(p, make_solver);
-            }};
-  }
-  /// \endcond
 };
 
 } // namespace CGAL_ext

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Cgal_linear_solver.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/plug_in/parameterize_with.h>
 
 #include <CGAL/Default.h>
@@ -101,7 +102,7 @@ public:
     if(!m_minimization.is_valid())
       return CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER;
     const auto make_minimizer = [this](const internal::Patch& patch) {
-      return m_minimization.make_minimizer(patch, &make_solver);
+      return internal::make_minimizer(patch, m_minimization, &make_solver);
     };
     return internal::parameterize_with(make_minimizer, m_border, m_visitor, mesh, bhd, uvmap, vimap, vpmap);
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_square_border_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/plug_in/parameterize_with.h>
 
 #include <CGAL/Default.h>
@@ -71,7 +72,9 @@ public:
   {
     if(!m_minimization.is_valid())
       return CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER;
-    const auto make_minimizer = [this](const internal::Patch& patch) { return m_minimization.make_minimizer(patch); };
+    const auto make_minimizer = [this](const internal::Patch& patch) {
+      return internal::make_minimizer(patch, m_minimization);
+    };
     return internal::parameterize_with(make_minimizer, m_border, m_visitor, mesh, bhd, uvmap, vimap, vpmap);
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/common/options_parameter.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_face_graph.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -20,6 +21,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace CGAL_ext {
@@ -31,12 +33,12 @@ namespace internal {
 inline void check_options(const Square_map_options& options)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
-  if(options.balanced && !options.balanced->is_valid())
+  if(!std::visit([](const auto& minimization) { return minimization.is_valid(); }, options.minimization))
     throw Unmappable(
         SMP::ERROR_WRONG_PARAMETER,
-        "the balance is not in [0, 1], a tolerance is negative, or the weights or eta of the start are wrong");
-  if(!options.minimization.is_valid())
-    throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
+        std::holds_alternative<Balanced_minimization>(options.minimization)
+            ? "the balance is not in [0, 1], a tolerance is negative, or the weights or eta of the start are wrong"
+            : "the weights are missing, or eta is not in ]0, 1]");
   check_cut_options(options.cut);
 }
 
@@ -163,13 +165,12 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     result.chords_split = split_chords(mesh, vpm, options.chords);
     const auto disk = internal::make_face_graph_patch(mesh, internal::first_border_halfedge(mesh), vpm);
     const auto& [patch, vertex_list] = disk;
-    const internal::Map_minimizer minimizer =
-        options.balanced ? options.balanced->make_minimizer(patch) : options.minimization.make_minimizer(patch);
+    const auto minimizer = internal::make_minimizer(patch, options.minimization);
     const auto search_start = Clock::now();
     const internal::Search_outcome outcome =
-        options.corners ? internal::map_with_corners(patch, minimizer,
+        options.corners ? internal::map_with_corners(patch, *minimizer,
                                                      internal::border_positions(mesh, disk, result, *options.corners))
-                        : internal::search_square_map(patch, minimizer, options.search, options.search_options);
+                        : internal::search_square_map(patch, *minimizer, options.search, options.search_options);
     const auto end = Clock::now();
 
     result.condition_seconds = std::chrono::duration<double>(search_start - condition_start).count();

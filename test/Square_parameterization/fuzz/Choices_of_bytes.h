@@ -43,13 +43,16 @@ private:
     static const std::vector<std::function<CGAL_ext::internal::Edge_weights(const CGAL_ext::internal::Patch&)>> weights{
         CGAL_ext::Blended_weights(),    CGAL_ext::Shape_preserving_weights(),     CGAL_ext::Clamped_cotangent_weights(),
         CGAL_ext::Mean_value_weights(), CGAL_ext::Symmetric_mean_value_weights(), CGAL_ext::Uniform_weights()};
-    options.balanced.reset();
     if(byte % 2 == 1) {
-      options.balanced = CGAL_ext::Balanced_minimization();
-      options.balanced->balance = (byte / 2 % 4) / 3.;
-      options.balanced->border = byte / 8 % 2 == 1 ? Border_motion::SLIDING : Border_motion::FIXED;
+      CGAL_ext::Balanced_minimization balanced;
+      balanced.balance = (byte / 2 % 4) / 3.;
+      balanced.border = byte / 8 % 2 == 1 ? Border_motion::SLIDING : Border_motion::FIXED;
+      options.minimization = balanced;
+    } else {
+      CGAL_ext::Stretch_minimization iteration;
+      iteration.weights = weights[byte / 16 % weights.size()];
+      options.minimization = iteration;
     }
-    options.minimization.weights = weights[byte / 16 % weights.size()];
   }
 
   void choose_search(int byte)

@@ -9,6 +9,7 @@
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 
 #include <Eigen/SVD>
 
@@ -30,7 +31,7 @@ inline CGAL_ext::internal::Uv_coordinates some_map(const CGAL_ext::internal::Pat
   const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
   const Corners corners = corners_of_candidate(walk, candidate, Corner_rule::NEAREST);
   Stretch_iteration::Workspace workspace;
-  const Stretch_iteration iteration = uniform.make_iteration(patch);
+  const Stretch_iteration iteration(patch, uniform);
   return iteration.minimize(square_border(walk, corners).uv, 1, workspace).uv;
 }
 

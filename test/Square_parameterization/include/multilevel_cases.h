@@ -14,7 +14,7 @@ inline CGAL_ext::internal::Stretch_iteration start_of(const CGAL_ext::internal::
 {
   CGAL_ext::Stretch_minimization start;
   start.maximum_iterations = 5;
-  return start.make_iteration(patch);
+  return {patch, start};
 }
 
 /// the border of a candidate

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace square_map {
@@ -82,25 +83,28 @@ inline void set_minimizer(const Given_options& given, Command_line& line)
   CGAL_ext::Square_map_options& options = line.options;
   if(given.has("preset")) {
     named<bool>({{"paper", true}}, "preset", given.preset);
-    apply_paper_preset(options);
     if(!given.has("minimizer"))
       line.minimizer = "iterative";
   }
-  if(!named<bool>({{"iterative", false}, {"optimal", true}}, "minimizer", line.minimizer))
-    options.balanced.reset();
+  options.minimization = named<CGAL_ext::Minimization>(
+      {{"iterative", CGAL_ext::Stretch_minimization()}, {"optimal", CGAL_ext::Balanced_minimization()}}, "minimizer",
+      line.minimizer);
+  if(given.has("preset"))
+    apply_paper_preset(options);
+  auto* const balanced = std::get_if<CGAL_ext::Balanced_minimization>(&options.minimization);
   if(given.has("balance")) {
-    if(!options.balanced)
+    if(balanced == nullptr)
       throw Usage_error("--balance goes with --minimizer optimal");
     if(!(given.balance >= 0 && given.balance <= 1))
       throw Usage_error("--balance must be from 0 to 1");
-    options.balanced->balance = given.balance;
+    balanced->balance = given.balance;
   }
   if(given.has("border")) {
     using CGAL_ext::Border_motion;
     const Border_motion motion = named<Border_motion>(
         {{"fixed", Border_motion::FIXED}, {"sliding", Border_motion::SLIDING}}, "border", given.border);
-    if(options.balanced)
-      options.balanced->border = motion;
+    if(balanced != nullptr)
+      balanced->border = motion;
     else if(motion == Border_motion::SLIDING)
       throw Usage_error("--border sliding goes with --minimizer optimal");
   }
@@ -109,7 +113,7 @@ inline void set_minimizer(const Given_options& given, Command_line& line)
 /// the iteration, which is the start of the other minimizer, too; the number of iterations of a start is its own
 inline void set_iteration(const Given_options& given, CGAL_ext::Square_map_options& options)
 {
-  CGAL_ext::Stretch_minimization& iteration = options.minimization;
+  CGAL_ext::Stretch_minimization& iteration = iteration_of(options.minimization);
   if(given.has("weights"))
     iteration.weights = named(weights(), "weights", given.weights);
   if(given.has("eta")) {
@@ -119,11 +123,6 @@ inline void set_iteration(const Given_options& given, CGAL_ext::Square_map_optio
   }
   if(given.has("patience"))
     iteration.patience = given.patience;
-  if(options.balanced) {
-    options.balanced->start.weights = iteration.weights;
-    options.balanced->start.eta = iteration.eta;
-    options.balanced->start.patience = iteration.patience;
-  }
 }
 
 /// what is mapped, and how it is cut
@@ -151,7 +150,8 @@ inline void set_search(const Given_options& given, Command_line& line)
   using CGAL_ext::Walk;
   CGAL_ext::Square_map_options& options = line.options;
   if(!given.has("strategy"))
-    line.strategy = options.balanced ? "bracketing" : "hybrid";
+    line.strategy =
+        std::holds_alternative<CGAL_ext::Balanced_minimization>(options.minimization) ? "bracketing" : "hybrid";
   options.search = named(strategies(given.tuning), "strategy", line.strategy);
   if(given.has("corner-rule"))
     options.search_options.corner_rule = named<Corner_rule>(

@@ -19,6 +19,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 namespace square_map {
 
@@ -78,12 +79,21 @@ inline const std::map<std::string, Weights>& weights()
   return result;
 }
 
-/// the settings that reproduce the tables of the paper
+/// the iteration of Yoshizawa et al. in a minimization: all of it, or its start
+inline CGAL_ext::Stretch_minimization& iteration_of(CGAL_ext::Minimization& minimization)
+{
+  if(auto* const balanced = std::get_if<CGAL_ext::Balanced_minimization>(&minimization))
+    return balanced->start;
+  return std::get<CGAL_ext::Stretch_minimization>(minimization);
+}
+
+/// the settings that reproduce the tables of the paper, for the minimization that is chosen
 inline void apply_paper_preset(CGAL_ext::Square_map_options& options)
 {
-  options.minimization.weights = CGAL_ext::Shape_preserving_weights();
-  options.minimization.eta = 1;
-  options.minimization.patience = 0;
+  CGAL_ext::Stretch_minimization& iteration = iteration_of(options.minimization);
+  iteration.weights = CGAL_ext::Shape_preserving_weights();
+  iteration.eta = 1;
+  iteration.patience = 0;
   options.search_options.corner_rule = CGAL_ext::Corner_rule::AUTHOR;
   options.chords = CGAL_ext::Chords::EARS;
 }

@@ -37,7 +37,7 @@ inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, c
     const Patch patch = patch_of_cut(surface, cut);
     Stretch_minimization minimization;
     minimization.maximum_iterations = 5;
-    const Stretch_iteration iteration = minimization.make_iteration(patch);
+    const Stretch_iteration iteration(patch, minimization);
     Stretch_iteration::Workspace workspace;
     const Minimized_map map =
         iteration.minimize(circular_border(patch.border_lengths, std::sqrt(1 / EIGEN_PI)), 1, workspace);

@@ -12,6 +12,7 @@
 #include <array>
 #include <iterator>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace CGAL_ext {
@@ -72,8 +73,8 @@ auto cut_mesh(TriangleMesh& mesh, VertexPointMap vpm, const Square_map_options& 
   const auto disk = make_face_graph_surface(mesh, vpm);
   Cut_options cut_options = options.cut;
   cut_options.number_of_threads = options.search_options.number_of_threads;
-  if(options.balanced)
-    cut_options.balance = options.balanced->balance;
+  if(const auto* balanced = std::get_if<Balanced_minimization>(&options.minimization))
+    cut_options.balance = balanced->balance;
   const Cut cut = cut_to_disk(disk.surface, surface_seams(disk, options.seams), cut_options, report);
   std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> seams;
   for(int e : cut.edges())

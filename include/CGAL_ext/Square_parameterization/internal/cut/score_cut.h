@@ -7,6 +7,9 @@
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_open.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/split_surface_chords.h>
 
 #include <limits>
@@ -69,7 +72,7 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
 {
   Stretch_minimization start;
   start.maximum_iterations = options.iterations;
-  const Stretch_iteration iteration = start.make_iteration(patch);
+  const Stretch_iteration iteration(patch, start);
   Stretch_iteration::Workspace workspace;
   Minimized_map best;
   for(const Uv_coordinates& border : borders) {
@@ -85,7 +88,7 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
 /// the map for the corners of the start, which goes on with the balanced minimizer, for the steps that are allowed
 inline Minimized_map quick_map(const Patch& patch, Minimized_map start, const Cut_score_options& options)
 {
-  Balanced_options balanced;
+  Balanced_minimization balanced;
   balanced.balance = options.balance;
   balanced.maximum_iterations = options.steps;
   Balanced_minimizer::Workspace workspace;
@@ -100,7 +103,7 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
   minimization.balance = options.balance;
   minimization.search_tolerance = options.tolerance;
   minimization.maximum_iterations = options.steps;
-  return minimization.make_minimizer(patch).make_worker()(border, nullptr);
+  return make_minimizer(patch, minimization)->make_worker()(border, nullptr);
 }
 
 /// a stretch that is all but the least for a few corners, and what it has cost. Of the corners a cheap iteration tells

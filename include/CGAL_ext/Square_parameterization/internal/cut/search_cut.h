@@ -44,8 +44,7 @@ inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, 
   options.number_of_threads = 1;
   try {
     const Patch patch = patch_of_cut(surface, cut);
-    const Map_minimizer minimizer = minimization.make_minimizer(patch);
-    return search_square_map(patch, minimizer, Few_corners_search(), options).map.report.l2;
+    return search_square_map(patch, *make_minimizer(patch, minimization), Few_corners_search(), options).map.report.l2;
   } catch(const Unmappable&) {
     return std::numeric_limits<double>::infinity();
   }

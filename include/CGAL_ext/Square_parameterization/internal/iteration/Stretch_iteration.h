@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_STRETCH_ITERATION_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_STRETCH_ITERATION_H
 
+#include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Convex_combination_system.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/repair_flips.h>
@@ -15,14 +16,6 @@
 
 namespace CGAL_ext {
 namespace internal {
-
-/// the numbers of the iteration; see `Stretch_minimizing_parameterizer_3` for their meaning and defaults
-struct Stretch_iteration_options
-{
-  double eta = 0.3;
-  unsigned int patience = 1;
-  unsigned int maximum_iterations = 100;
-};
 
 /// the stretch-minimizing parameterization of Yoshizawa, Belyaev and Seidel 2004 for any number of borders of one
 /// patch.
@@ -43,10 +36,11 @@ public:
     Uv_coordinates uv;
   };
 
-  Stretch_iteration(const Patch& patch, Edge_weights weights, Linear_solver_factory make_solver,
-                    const Stretch_iteration_options& options)
+  /// \param make_solver makes the solver of the linear systems
+  Stretch_iteration(const Patch& patch, const Stretch_minimization& options,
+                    Linear_solver_factory make_solver = make_direct_solver)
     : m_patch(patch),
-      m_system(patch, std::move(weights)),
+      m_system(patch, options.weights(patch)),
       m_make_solver(std::move(make_solver)),
       m_options(options),
       m_first_solver(m_make_solver(m_system.is_symmetric()))
@@ -143,7 +137,7 @@ private:
   const Patch& m_patch;
   Convex_combination_system m_system;
   Linear_solver_factory m_make_solver;
-  Stretch_iteration_options m_options;
+  Stretch_minimization m_options;
   std::unique_ptr<Linear_solver> m_first_solver;
   bool m_is_first_system_solvable = false;
 };

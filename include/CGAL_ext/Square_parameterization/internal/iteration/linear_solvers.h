@@ -4,8 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_LINEAR_SOLVERS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_LINEAR_SOLVERS_H
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCore>
 
 #include <functional>
 #include <memory>
@@ -29,57 +28,14 @@ public:
 /// makes a solver for symmetric positive definite matrices, given as their upper triangle, or for general matrices
 using Linear_solver_factory = std::function<std::unique_ptr<Linear_solver>(bool is_symmetric)>;
 
-/// a factorization of Eigen whose symbolic analysis is done once, at the first matrix
-template <class Factorization>
-class Direct_solver : public Linear_solver
-{
-public:
-  bool factorize(const Sparse_matrix& matrix) override
-  {
-    if(!m_analyzed)
-      m_factorization.analyzePattern(matrix);
-    m_analyzed = true;
-    m_factorization.factorize(matrix);
-    return m_factorization.info() == Eigen::Success;
-  }
-
-  bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const override
-  {
-    solution = m_factorization.solve(right_hand_sides);
-    return m_factorization.info() == Eigen::Success && solution.allFinite();
-  }
-
-protected:
-  Factorization m_factorization;
-
-private:
-  bool m_analyzed = false;
-};
-
-/// for symmetric positive definite matrices of which the upper triangle is stored. The rows come in a fill-reducing
-/// order already (see `Convex_combination_system`), so that no factorization has to permute the matrix.
-using Symmetric_solver = Direct_solver<Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>>;
-
-/// for matrices with a symmetric pattern, rows in a fill-reducing order already. A convex combination matrix is a
-/// diagonally dominant M-matrix, for which elimination along the diagonal is stable: no pivot is looked for.
-class General_solver : public Direct_solver<Eigen::SparseLU<Sparse_matrix, Eigen::NaturalOrdering<int>>>
-{
-public:
-  General_solver()
-  {
-    m_factorization.isSymmetric(true);
-    m_factorization.setPivotThreshold(0);
-  }
-};
-
-inline std::unique_ptr<Linear_solver> make_direct_solver(bool is_symmetric)
-{
-  if(is_symmetric)
-    return std::make_unique<Symmetric_solver>();
-  return std::make_unique<General_solver>();
-}
+/// makes a factorization of Eigen's that keeps its symbolic analysis: of Cholesky for symmetric matrices, else LU
+std::unique_ptr<Linear_solver> make_direct_solver(bool is_symmetric);
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_LINEAR_SOLVERS_H

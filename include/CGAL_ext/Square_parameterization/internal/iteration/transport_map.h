@@ -37,8 +37,8 @@ inline Uv_coordinates transport_map(const Patch& patch, const Uv_coordinates& uv
   system.assemble(std::vector<double>(patch.points.size(), 1.), border_uv, equations);
   Right_hand_sides solution(equations.matrix.rows(), 2);
   if(equations.matrix.rows() > 0) {
-    General_solver solver;
-    if(!solver.factorize(equations.matrix) || !solver.solve(equations.right_hand_sides, solution))
+    const auto solver = make_direct_solver(system.is_symmetric());
+    if(!solver->factorize(equations.matrix) || !solver->solve(equations.right_hand_sides, solution))
       return {};
   }
   Uv_coordinates result;

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H
 
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_preconditioner.h>
@@ -14,16 +15,6 @@
 
 namespace CGAL_ext {
 namespace internal {
-
-/// the numbers of the minimizer; see `Balanced_minimization` for their meaning and defaults
-struct Balanced_options
-{
-  double balance = 0.3;
-  bool is_border_sliding = true;
-  double search_tolerance = 1e-4; // of each candidate
-  double tolerance = 1e-5;        // of the delivered map
-  unsigned int maximum_iterations = 1000;
-};
 
 /// minimises the balanced energy from a map without flips, and never leaves the maps without flips: L-BFGS with the
 /// blocks of the Hessian as preconditioner, and one sweep over the vertices after each step.
@@ -40,7 +31,7 @@ public:
     Uv_coordinates gradient, previous_gradient, direction, trial;
   };
 
-  Balanced_minimizer(const Patch& patch, const Balanced_options& options)
+  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options)
     : m_energy(patch, options.balance), m_preconditioner(patch), m_sweep(patch, options.balance), m_options(options)
   {}
 
@@ -51,7 +42,7 @@ public:
   {
     constexpr double LEAST_GAIN = 5e-4; // relative
     constexpr int MAXIMUM_SWEEPS = 200;
-    const Free_coordinates is_free = free_coordinates(patch(), uv, m_options.is_border_sliding);
+    const Free_coordinates is_free = free_coordinates(patch(), uv, is_border_sliding());
     double energy = m_energy(uv);
     for(int i = 0; i < MAXIMUM_SWEEPS; ++i) {
       m_sweep(is_free, uv);
@@ -68,7 +59,7 @@ public:
   Minimized_map minimize(Minimized_map map, double tolerance, Workspace& workspace) const
   {
     constexpr std::size_t MEMORY = 8;
-    const Free_coordinates is_free = free_coordinates(patch(), map.uv, m_options.is_border_sliding);
+    const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
     Minimization_report& report = map.report;
     Secant_memory memory(MEMORY);
     report.objective = gradient_at(map.uv, is_free, workspace.gradient);
@@ -114,7 +105,7 @@ public:
   void settle(Minimized_map& map) const
   {
     constexpr int SWEEPS = 5;
-    const Free_coordinates is_free = free_coordinates(patch(), map.uv, m_options.is_border_sliding);
+    const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
     for(int i = 0; i < SWEEPS; ++i)
       m_sweep(is_free, map.uv);
     Uv_coordinates gradient;
@@ -124,6 +115,8 @@ public:
   }
 
 private:
+  bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
+
   /// far from the minimum the Hessian changes more from step to step
   static unsigned int lifetime_of_factors(unsigned int iterations) { return iterations <= 8 ? 4 : 8; }
 
@@ -185,7 +178,7 @@ private:
   Balanced_energy m_energy;
   Axis_preconditioner m_preconditioner;
   Vertex_sweep m_sweep;
-  Balanced_options m_options;
+  Balanced_minimization m_options;
 };
 
 } // namespace internal

@@ -11,7 +11,6 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
 
 #include <deque>
-#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -41,16 +40,12 @@ public:
     std::deque<Balanced_minimizer::Workspace> levels; // nor these
   };
 
-  typedef std::function<Stretch_iteration(const Patch&)> Iteration_factory;
-
   /// \param may_coarsen_border false for maps onto other borders than the unit square, too
-  Multilevel_minimizer(const Patch& patch, Iteration_factory make_iteration, const Balanced_options& options,
-                       bool may_coarsen_border = true)
-    : m_patches(patch, may_coarsen_border && options.is_border_sliding),
-      m_make_iteration(std::move(make_iteration)),
-      m_options(options)
+  explicit Multilevel_minimizer(const Patch& patch, const Balanced_minimization& options = {},
+                                bool may_coarsen_border = true)
+    : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING), m_options(options)
   {
-    Balanced_options coarse_options = options;
+    Balanced_minimization coarse_options = options;
     coarse_options.balance = (std::max)(options.balance, LEAST_COARSE_BALANCE);
     coarse_options.maximum_iterations = COARSE_ITERATIONS;
     m_coarse_balance = coarse_options.balance;
@@ -82,7 +77,7 @@ public:
       uv = start(borders, 0, workspace, descent);
     if(uv.rows() == 0 && m_patches.size() > 1) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
-      uv = m_make_iteration(m_patches[0]).minimize(border_uv, 1, iteration_workspace).uv;
+      uv = Stretch_iteration(m_patches[0], m_options.start).minimize(border_uv, 1, iteration_workspace).uv;
     }
     if(uv.rows() == 0)
       return Minimized_map();
@@ -161,14 +156,14 @@ private:
   };
 
   /// adds patches as long as they get coarser, and a start from the last of them
-  void coarsen(Patch_sequence::Shapes_kept shapes_kept, const Balanced_options& options)
+  void coarsen(Patch_sequence::Shapes_kept shapes_kept, const Balanced_minimization& options)
   {
     m_patches.coarsen(shapes_kept);
     while(m_minimizers.size() < m_patches.size())
       m_minimizers.push_back(std::make_unique<Balanced_minimizer>(m_patches[m_minimizers.size()], options));
     const std::size_t coarsest = m_patches.size() - 1;
     if(m_starts.empty() || m_starts.back().level < coarsest)
-      m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_make_iteration(m_patches[coarsest]))});
+      m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], m_options.start)});
   }
 
   void prepare(Workspace& workspace) const
@@ -229,8 +224,7 @@ private:
   Patch_sequence m_patches;
   std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
   std::vector<Start> m_starts; // from the coarsest that keeps its shape, and from the coarsest
-  Iteration_factory m_make_iteration;
-  Balanced_options m_options;
+  Balanced_minimization m_options;
   double m_coarse_balance = 0;
   std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
   std::size_t m_sketch_level = 0; // of the patch whose maps are compared

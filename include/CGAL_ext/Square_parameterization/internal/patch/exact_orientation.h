@@ -6,31 +6,25 @@
 
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <array>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL_ext {
 namespace internal {
 
 /// indicates whether the uv triangle \p t is counter-clockwise, exactly
-inline bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t)
-{
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  const auto point = [&](int v) { return Kernel::Point_2(uv(v, 0), uv(v, 1)); };
-  return CGAL::orientation(point(t[0]), point(t[1]), point(t[2])) == CGAL::LEFT_TURN;
-}
+bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t);
 
 /// number of uv triangles that are clockwise or flat, exactly. A map onto a convex border without such triangles is
 /// one-to-one.
-inline std::size_t number_of_flipped_faces(const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
-{
-  std::size_t flipped = 0;
-  for(const auto& t : triangles)
-    if(!is_counterclockwise(uv, t))
-      ++flipped;
-  return flipped;
-}
+std::size_t number_of_flipped_faces(const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv);
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_EXACT_ORIENTATION_H

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PLUG_IN_SQUARE_BORDER_SEARCH_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
@@ -43,7 +44,7 @@ public:
       if(!m_objective.is_valid())
         return SMP::ERROR_WRONG_PARAMETER;
       const auto [patch, vertices] = make_face_graph_patch(mesh, bhd, get(CGAL::vertex_point, mesh));
-      const Search_outcome outcome = search(patch, m_objective.make_minimizer(patch));
+      const Search_outcome outcome = search(patch, *make_minimizer(patch, m_objective));
       if(outcome.report.best_candidate < 0)
         return SMP::ERROR_NO_1_TO_1_MAPPING;
       write_uv(select(vertices, patch.border), border_coordinates(patch, outcome.map.uv), uvmap, vpmap);

@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,15 +46,15 @@ Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border
   try {
     const TriangleMesh& const_mesh = mesh;
     const auto [patch, vertices] = make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
-    const Map_minimizer minimizer = make_minimizer(patch);
+    const std::shared_ptr<const Map_minimizer> minimizer = make_minimizer(patch);
     Minimized_map map;
     if constexpr(Searches_corners<Border>::value) {
-      map = border.search(patch, minimizer).map;
+      map = border.search(patch, *minimizer).map;
     } else {
       const Error_code status = border.parameterize(mesh, bhd, uvmap, vimap, vpmap);
       if(status != SMP::OK)
         return status;
-      map = minimizer.map_border(read_uv(select(vertices, patch.border), uvmap));
+      map = minimizer->map_border(read_uv(select(vertices, patch.border), uvmap));
     }
     if(visitor != nullptr)
       visitor->end_minimization(map.report);

@@ -8,11 +8,6 @@
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
-
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL_ext {
 namespace internal {
@@ -24,110 +19,19 @@ struct Search_outcome
   Search_report report;
 };
 
-/// the stretch of the border vertices, in the order of the border loop, when the patch is mapped onto a circle of area
-/// 1; empty when it cannot be
-inline std::vector<double> circle_stretch(const Patch& patch, const Stretch_iteration& iteration)
-{
-  const Uv_coordinates border_uv = circular_border(patch.border_lengths, std::sqrt(1 / EIGEN_PI));
-  Stretch_iteration::Workspace workspace;
-  const Minimized_map map = iteration.minimize(border_uv, 1, workspace);
-  std::vector<double> sigma, result;
-  if(map.uv.rows() == 0)
-    return result;
-  stretch_energy(patch, map.uv, sigma);
-  for(int v : patch.border)
-    result.push_back(sigma[v]);
-  return result;
-}
-
-/// the distance of every border vertex, in the order of the border loop, from the nearest corner, in half sides
-inline std::vector<double> corner_distances(const Uv_coordinates& border_uv)
-{
-  std::vector<double> distances;
-  // one coordinate is 0 or 1, the other tells the place on the side
-  for(Eigen::Index k = 0; k < border_uv.rows(); ++k) {
-    const double u = border_uv(k, 0), v = border_uv(k, 1);
-    distances.push_back(2 * ((std::min)(u, 1 - u) + (std::min)(v, 1 - v)));
-  }
-  return distances;
-}
-
 /// searches the corners of the square among the candidates of \p search and maps the patch for the best of them
-inline Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
-                                        const Square_search_options& options)
-{
-  const Border_walk walk(patch.border_lengths, options.walk);
-  const auto border_of = [&](int candidate) {
-    return square_border(walk, corners_of_candidate(walk, candidate, options.corner_rule));
-  };
-  const auto for_candidates = [&](Map_minimizer::Worker map_for) -> Candidate_evaluation::Worker {
-    return [&, map_for = std::move(map_for)](int candidate, const Uv_coordinates* warm_start) {
-      return map_for(border_of(candidate).uv, warm_start);
-    };
-  };
-  Corner_search_problem problem;
-  problem.number_of_candidates =
-      search.candidate_set() == Candidate_set::FULL ? walk.size() : number_of_quarter_candidates(walk);
-  const unsigned int threads = number_of_search_threads(options.number_of_threads, patch.number_of_vertices());
-  const auto make_worker = [&] { return for_candidates(minimizer.make_worker()); };
-  Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, threads, options.visitor,
-                                  options.callback);
-  std::optional<Candidate_evaluation> sketches;
-  if(minimizer.has_sketches()) {
-    const auto make_sketching_worker = [&] { return for_candidates(minimizer.make_sketching_worker()); };
-    const auto may_continue = [&options](double) {
-      return (!options.callback || options.callback(0)) &&
-             (options.visitor == nullptr || options.visitor->may_continue());
-    };
-    sketches.emplace(problem.number_of_candidates, make_sketching_worker, threads, nullptr, may_continue);
-    problem.sketched_objective_of = [&](const std::vector<int>& candidates) { return (*sketches)(candidates); };
-  }
-  problem.objective_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
-  problem.objective_from_neighbors = [&](const std::vector<int>& candidates) { return evaluation(candidates, true); };
-  problem.number_of_vertices = patch.number_of_vertices();
-  problem.number_of_faces = patch.number_of_faces();
-  problem.circle_stretch = [&] { return circle_stretch(patch, *minimizer.iteration()); };
-  problem.corner_distances = [&](int candidate) { return corner_distances(border_of(candidate).uv); };
-
-  if(options.visitor != nullptr)
-    options.visitor->start_search(problem.number_of_candidates);
-  try {
-    search(problem);
-  } catch(const Search_cancelled&) {
-    // the best so far is delivered, and the report says so
-  }
-  evaluation.release_workers();
-  Search_outcome outcome{minimizer.finish(evaluation.best_map()), evaluation.report()};
-  if(sketches) {
-    const Search_report sketching = sketches->report();
-    outcome.report.sketches = sketching.evaluations;
-    outcome.report.is_cancelled |= sketching.is_cancelled;
-  }
-  if(outcome.report.best_candidate >= 0) {
-    outcome.report.best_objective = outcome.map.report.objective;
-    outcome.report.corners = border_of(outcome.report.best_candidate).corners;
-  }
-  if(options.visitor != nullptr)
-    options.visitor->end_search(outcome.report);
-  return outcome;
-}
+Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
+                                 const Square_search_options& options);
 
 /// maps the patch for four corners chosen by the user
 /// \pre the positions are distinct and in counter-clockwise order
-inline Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimizer, const Corners& corners)
-{
-  const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
-  Search_outcome outcome{minimizer.finish(minimizer.make_worker()(border.uv, nullptr)), {}};
-  outcome.report.candidates = 1;
-  outcome.report.evaluations = 1;
-  outcome.report.best_objective = outcome.map.report.objective;
-  outcome.report.best_candidate = outcome.map.uv.rows() > 0 ? corners[0] : -1;
-  outcome.report.corners = border.corners;
-  outcome.report.curve = {{corners[0], outcome.map.report.objective, outcome.map.report.l2}};
-  return outcome;
-}
+Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimizer, const Corners& corners);
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/search/square_search_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SQUARE_SEARCH_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_ITERATION_MINIMIZER_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_ITERATION_MINIMIZER_H
+
+#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/check_maps.h>
+
+#include <memory>
+#include <utility>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// maps by the iteration of Yoshizawa et al.: the objective is the L2 stretch. Has neither sketches nor warm starts.
+class Iteration_minimizer : public Map_minimizer
+{
+public:
+  Iteration_minimizer(const Patch& patch, const Stretch_minimization& minimization, Linear_solver_factory make_solver)
+    : m_patch(patch), m_iteration(patch, minimization, std::move(make_solver))
+  {}
+
+  Worker make_worker() const override
+  {
+    return [this, workspace = std::make_shared<Stretch_iteration::Workspace>()](const Uv_coordinates& border_uv,
+                                                                                const Uv_coordinates*) {
+      if(has_chord_on_a_side(m_patch, border_uv))
+        return Minimized_map();
+      return checked(m_iteration.minimize(border_uv, 1, *workspace));
+    };
+  }
+
+  bool has_sketches() const override { return false; }
+
+  Worker make_sketching_worker() const override { return {}; }
+
+  /// a map of a worker is ready
+  Minimized_map finish(Minimized_map map) const override { return map; }
+
+  Minimized_map map_border(const Uv_coordinates& border_uv) const override
+  {
+    return map_any_border(
+        m_patch, border_uv, [this](const Uv_coordinates& unit) { return make_worker()(unit, nullptr); },
+        [this](Minimized_map map) { return checked(std::move(map)); });
+  }
+
+  std::vector<double> circle_stretch() const override { return internal::circle_stretch(m_patch, m_iteration); }
+
+private:
+  Minimized_map checked(Minimized_map map) const
+  {
+    return if_one_to_one(m_patch, std::move(map), [](const Uv_coordinates&, double l2) { return l2; });
+  }
+
+  const Patch& m_patch;
+  Stretch_iteration m_iteration;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_ITERATION_MINIMIZER_H

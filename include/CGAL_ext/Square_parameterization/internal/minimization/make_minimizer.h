@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAKE_MINIMIZER_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAKE_MINIMIZER_H
+
+#include <CGAL_ext/Square_parameterization/Minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+
+#include <memory>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// makes the minimizer that the options ask for. It refers to the patch, which must live as long.
+/// \pre the options are valid
+std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Minimization& minimization);
+
+/// the iteration of Yoshizawa et al.
+/// \param make_solver makes the solver of its linear systems
+std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Stretch_minimization& minimization,
+                                                    Linear_solver_factory make_solver = make_direct_solver);
+
+/// the balanced energy from coarse to fine
+std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Balanced_minimization& minimization);
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer_impl.h>
+#endif
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAKE_MINIMIZER_H

@@ -1,5 +1,6 @@
-# Adds the target headers_alone, which compiles every header by itself. It is not part of the default build, and CTest
-# does not run it: cmake --build build --target headers_alone
+# Adds the targets headers_alone and headers_alone_core, which compile every header by itself: header-only, and as seen
+# by what links with the core. They are not part of the default build, and CTest does not run them:
+#   cmake --build build --target headers_alone headers_alone_core
 file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/include/CGAL_ext/*.h)
 set(sources)
@@ -12,3 +13,7 @@ endforeach()
 add_library(headers_alone OBJECT EXCLUDE_FROM_ALL ${sources})
 target_compile_options(headers_alone PRIVATE -fsyntax-only)
 target_link_libraries(headers_alone PRIVATE CGAL_ext::CGAL_ext CGAL_ext_warnings)
+add_library(headers_alone_core OBJECT EXCLUDE_FROM_ALL ${sources})
+target_compile_options(headers_alone_core PRIVATE -fsyntax-only)
+target_compile_definitions(headers_alone_core PRIVATE CGAL_EXT_COMPILED_CORE)
+target_link_libraries(headers_alone_core PRIVATE CGAL_ext::CGAL_ext CGAL_ext_warnings)

@@ -25,6 +25,13 @@ const std::vector<std::vector<std::string>> FLOORS{{"common"},     {"patch", "so
 
 const fs::path PACKAGE = fs::path(INCLUDE_FOLDER) / "CGAL_ext/Square_parameterization";
 
+/// the name without `_impl`: the definitions of a header belong to it, and each of the two includes the other
+std::string without_impl(const std::string& header)
+{
+  static const std::regex impl("_impl\\.h$");
+  return std::regex_replace(header, impl, ".h");
+}
+
 /// the headers of the package, as paths below its folder, each with those it includes
 std::map<std::string, std::vector<std::string>> includes_of_headers()
 {
@@ -33,12 +40,13 @@ std::map<std::string, std::vector<std::string>> includes_of_headers()
   for(const auto& entry : fs::recursive_directory_iterator(PACKAGE)) {
     if(entry.path().extension() != ".h")
       continue;
-    std::vector<std::string>& included = includes[entry.path().lexically_relative(PACKAGE).generic_string()];
+    const std::string header = without_impl(entry.path().lexically_relative(PACKAGE).generic_string());
+    std::vector<std::string>& included = includes[header];
     std::ifstream file(entry.path());
     std::smatch match;
     for(std::string line; std::getline(file, line);)
-      if(std::regex_match(line, match, directive))
-        included.push_back(match[1]);
+      if(std::regex_match(line, match, directive) && without_impl(match[1]) != header)
+        included.push_back(without_impl(match[1]));
   }
   return includes;
 }

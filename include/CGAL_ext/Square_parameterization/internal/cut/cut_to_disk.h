@@ -5,112 +5,27 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_TO_DISK_H
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
-#include <CGAL_ext/Square_parameterization/internal/common/Complaint.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
+#include <CGAL_ext/Square_parameterization/Cut_report.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
 
-/// refuses options that are out of range
-inline void check_seam_options(const Seam_options& options)
-{
-  if(!options.is_valid())
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                     "the weight or the greatest length of the cut is negative, or its balance is not in [0, 1]");
-}
-
-/// refuses a surface that is not a disk, and says what it is
-[[noreturn]] inline void refuse_uncut(const Triangle_surface& surface)
-{
-  Complaint complaint;
-  if(surface.border_loops.empty())
-    complaint.say("it is closed: it has no border");
-  if(surface.border_loops.size() > 1)
-    complaint.say("it has " + std::to_string(surface.border_loops.size()) + " borders");
-  if(surface.genus() > 0)
-    complaint.say("it has genus " + std::to_string(surface.genus()));
-  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
-                   "the surface is not a disk, and it is not to be cut: " + complaint.text());
-}
-
-/// refuses a seam from vertex \p a to vertex \p b that is not an edge
-[[noreturn]] inline void refuse_seam(std::size_t a, std::size_t b)
-{
-  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                   "the seam from vertex " + std::to_string(a) + " to vertex " + std::to_string(b) +
-                       " is not an edge of the surface");
-}
-
-/// puts seams given as pairs of vertices into the cut; border edges need no cut.
-/// Throws `Unmappable` when a pair is not an edge, or the seams separate the surface.
-inline void fix_seams(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams, Cut& cut)
-{
-  namespace SMP = CGAL::Surface_mesh_parameterization;
-  for(const auto& [a, b] : seams) {
-    const std::array<int, 2> edge{(std::min)(a, b), (std::max)(a, b)};
-    const auto found = std::lower_bound(surface.edges.begin(), surface.edges.end(), edge);
-    if(found == surface.edges.end() || *found != edge)
-      refuse_seam(a, b);
-    const int e = static_cast<int>(found - surface.edges.begin());
-    if(!surface.is_border_edge(e))
-      cut.fix(surface, e);
-  }
-  Disjoint_sets faces(surface.triangles.size());
-  int pieces = surface.number_of_faces();
-  for(int h = 0; h < 3 * surface.number_of_faces(); ++h) {
-    const int opposite = surface.opposites[h];
-    if(opposite < h || cut.contains(surface.edge_of_halfedge[h]) ||
-       faces.find_set(h / 3) == faces.find_set(opposite / 3))
-      continue;
-    faces.union_set(h / 3, opposite / 3);
-    --pieces;
-  }
-  if(pieces > 1)
-    throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC,
-                     "the seams cut the surface into " + std::to_string(pieces) + " pieces");
-}
-
-/// a cut that contains the given seams and what else makes the surface a disk
-inline Cut complete_seams(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams)
-{
-  Cut cut(surface);
-  fix_seams(surface, seams, cut);
-  initial_cut(surface, 0, cut);
-  reroute_cut(surface, cut);
-  return cut;
-}
-
 /// decides how the surface is cut to a disk: along the given seams and what they lack, or by the mode of the options.
 /// A disk is not cut, except along given seams, or where the options ask for it and it pays. Deterministic.
 ///
 /// Throws `Unmappable` when nothing is to be cut and the surface is no disk, and for seams that make no sense.
-inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
-                       const Seam_options& options, Cut_report& report)
-{
-  check_seam_options(options);
-  constexpr int MOST_COMPETITORS = 16; // cuts that are scored concurrently
-  Thread_team team(options.number_of_threads, MOST_COMPETITORS);
-  Cut cut(surface);
-  if(!seams.empty())
-    cut = complete_seams(surface, seams);
-  else if(surface.is_disk() && !options.may_cut_disk())
-    return cut;
-  else if(options.mode == Cut_mode::NONE)
-    refuse_uncut(surface);
-  else if(options.mode == Cut_mode::BEST)
-    cut = Cut_decision(options, team, report)(surface);
-  else
-    cut = shortest_cut(surface, team);
-  report.seam_edges = cut.edges().size();
-  report.cut_length = cut.length(surface) / std::sqrt(surface.area);
-  return cut;
-}
+Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
+                const Seam_options& options, Cut_report& report);
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_TO_DISK_H

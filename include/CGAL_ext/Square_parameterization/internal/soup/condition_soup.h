@@ -5,12 +5,8 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_CONDITION_SOUP_H
 
 #include <CGAL_ext/Square_parameterization/internal/soup/check_soup.h>
-#include <CGAL_ext/Square_parameterization/internal/soup/orient_soup.h>
-#include <CGAL_ext/Square_parameterization/internal/soup/triangulate_soup.h>
 
-#include <numeric>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace CGAL_ext {
@@ -41,73 +37,18 @@ struct Conditioning_report
   static constexpr std::size_t DROPPED = static_cast<std::size_t>(-1);
 };
 
-/// drops the faces of all components but the chosen one; returns the numbers that the others had
-inline std::vector<std::size_t> choose_component(const Conditioning_options& options, Surface_soup& soup,
-                                                 Conditioning_report& report)
-{
-  std::vector<std::size_t> names(soup.faces.size());
-  std::iota(names.begin(), names.end(), 0);
-  if(!options.component)
-    return names;
-  const std::vector<std::vector<std::size_t>> components = components_of(soup);
-  if(*options.component >= components.size())
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                     "there is no component " + std::to_string(*options.component) + ": the surface has " +
-                         std::to_string(components.size()) + ", counted from 0");
-  names = components[*options.component];
-  report.components = components.size();
-  report.component = *options.component;
-  report.faces_dropped = soup.faces.size() - names.size();
-  keep_component(names, soup);
-  return names;
-}
-
-/// drops the vertices of no face; the others keep their order
-inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& report)
-{
-  const std::size_t input_vertices = soup.points.size() - report.vertices_added;
-  report.new_index.assign(soup.points.size(), Conditioning_report::DROPPED);
-  for(const auto& face : soup.faces)
-    for(std::size_t v : face)
-      report.new_index[v] = 0;
-  std::size_t kept = 0;
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    if(report.new_index[v] != Conditioning_report::DROPPED) {
-      report.new_index[v] = kept;
-      soup.points[kept++] = soup.points[v];
-    }
-  report.vertices_dropped = soup.points.size() - kept;
-  soup.points.resize(kept);
-  for(auto& face : soup.faces)
-    for(std::size_t& v : face)
-      v = report.new_index[v];
-  report.new_index.resize(input_vertices);
-}
-
 /// makes a soup one connected, manifold, oriented triangle surface: chooses a component and splits polygons where that
 /// is asked for, turns faces round, and drops isolated vertices. Throws `Unmappable` with a sentence that counts what
 /// is wrong and names the first places by their numbers in the given soup; with `ERROR_WRONG_PARAMETER` when there is
 /// no such component.
 /// \pre every index of a face is that of a point, every coordinate is finite
-inline Conditioning_report condition_soup(Surface_soup& soup, const Conditioning_options& options = {})
-{
-  Conditioning_report report;
-  check_not_empty(soup);
-  const std::vector<std::size_t> names = choose_component(options, soup, report);
-  check_faces(soup, names, options.triangulate);
-  check_edges(soup);
-  report.faces_reoriented = orient_faces(soup, names);
-  if(options.triangulate) {
-    const std::size_t input_vertices = soup.points.size();
-    report.polygons_triangulated = triangulate_soup(soup);
-    report.vertices_added = soup.points.size() - input_vertices;
-  }
-  check_topology(soup, options.topology);
-  drop_isolated_vertices(soup, report);
-  return report;
-}
+Conditioning_report condition_soup(Surface_soup& soup, const Conditioning_options& options = {});
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/soup/condition_soup_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_CONDITION_SOUP_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_CONDITION_SOUP_IMPL_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_CONDITION_SOUP_IMPL_H
+
+#include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/orient_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/triangulate_soup.h>
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// drops the faces of all components but the chosen one; returns the numbers that the others had
+inline std::vector<std::size_t> choose_component(const Conditioning_options& options, Surface_soup& soup,
+                                                 Conditioning_report& report)
+{
+  std::vector<std::size_t> names(soup.faces.size());
+  std::iota(names.begin(), names.end(), 0);
+  if(!options.component)
+    return names;
+  const std::vector<std::vector<std::size_t>> components = components_of(soup);
+  if(*options.component >= components.size())
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                     "there is no component " + std::to_string(*options.component) + ": the surface has " +
+                         std::to_string(components.size()) + ", counted from 0");
+  names = components[*options.component];
+  report.components = components.size();
+  report.component = *options.component;
+  report.faces_dropped = soup.faces.size() - names.size();
+  keep_component(names, soup);
+  return names;
+}
+
+/// drops the vertices of no face; the others keep their order
+inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& report)
+{
+  const std::size_t input_vertices = soup.points.size() - report.vertices_added;
+  report.new_index.assign(soup.points.size(), Conditioning_report::DROPPED);
+  for(const auto& face : soup.faces)
+    for(std::size_t v : face)
+      report.new_index[v] = 0;
+  std::size_t kept = 0;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(report.new_index[v] != Conditioning_report::DROPPED) {
+      report.new_index[v] = kept;
+      soup.points[kept++] = soup.points[v];
+    }
+  report.vertices_dropped = soup.points.size() - kept;
+  soup.points.resize(kept);
+  for(auto& face : soup.faces)
+    for(std::size_t& v : face)
+      v = report.new_index[v];
+  report.new_index.resize(input_vertices);
+}
+
+CGAL_EXT_INLINE_FUNCTION Conditioning_report condition_soup(Surface_soup& soup, const Conditioning_options& options)
+{
+  Conditioning_report report;
+  check_not_empty(soup);
+  const std::vector<std::size_t> names = choose_component(options, soup, report);
+  check_faces(soup, names, options.triangulate);
+  check_edges(soup);
+  report.faces_reoriented = orient_faces(soup, names);
+  if(options.triangulate) {
+    const std::size_t input_vertices = soup.points.size();
+    report.polygons_triangulated = triangulate_soup(soup);
+    report.vertices_added = soup.points.size() - input_vertices;
+  }
+  check_topology(soup, options.topology);
+  drop_isolated_vertices(soup, report);
+  return report;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_CONDITION_SOUP_IMPL_H

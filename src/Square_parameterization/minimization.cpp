@@ -1,0 +1,9 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Part of the library CGAL_ext_core (see internal/common/compiled_core.h): the minimizers, with all that maps flat arrays: weights, solvers, exact orientation.
+
+#include <CGAL_ext/Square_parameterization/internal/iteration/edge_weights_impl.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers_impl.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer_impl.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation_impl.h>

@@ -5,30 +5,15 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_LIFT_CUT_H
 
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Nearest_vertex.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// the vertex of the surface nearest to \p p; ties: lowest
-inline int nearest_vertex(const Triangle_surface& surface, const Eigen::Vector3d& p)
-{
-  int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for(int v = 0; v < surface.number_of_vertices(); ++v) {
-    const double squared = (surface.points[v] - p).squaredNorm();
-    if(squared < least) {
-      least = squared;
-      nearest = v;
-    }
-  }
-  return nearest;
-}
 
 /// a cut of \p surface like the cut \p simple of a simplified copy of it: the same terminals, and round the same
 /// handles and holes.
@@ -41,18 +26,19 @@ inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const
 {
   if(simple.edges().empty())
     return Cut(surface);
+  const Nearest_vertex nearest_vertex(surface);
   std::vector<int> near;
   for(int e : simple.edges()) {
     const auto& [a, b] = simplified.edges[e];
     for(int i = 0; i <= numbers.lift_samples; ++i) {
       const double t = static_cast<double>(i) / numbers.lift_samples;
-      near.push_back(nearest_vertex(surface, (1 - t) * simplified.points[a] + t * simplified.points[b]));
+      near.push_back(nearest_vertex((1 - t) * simplified.points[a] + t * simplified.points[b]));
     }
   }
   const Shortest_paths paths = shortest_paths(surface, near);
   Cut cut(surface);
   for(int terminal : simple.terminals())
-    cut.add_terminal(nearest_vertex(surface, simplified.points[terminal]));
+    cut.add_terminal(nearest_vertex(simplified.points[terminal]));
   cut_beside_face_tree(surface, lengths_through_edges(surface, paths), std::vector<bool>(surface.edges.size(), false),
                        cut);
   if(surface.border_loops.empty() && cut.edges().size() < 2) {

@@ -7,7 +7,7 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// the tuned numbers of the decision on a cut. None changes what is correct: every cut leaves a disk, whatever they are.
+/// the tuned numbers of the decision on a cut. None changes what is correct: whatever they are, a cut leaves a disk.
 /// They trade the score of the cut, which is the L2 stretch that is left plus the weighted length, for time; the
 /// benchmark `cut_defaults` varies each and prints what becomes of both.
 ///
@@ -21,7 +21,7 @@ struct Cut_numbers
   /// `copy_tolerance`.
   int decision_faces = 4000;
 
-  /// faces of the copy on which cuts are grown, by a hundred scores and more: the time of the decision is mostly theirs.
+  /// faces of the copy on which cuts are grown, by a hundred scores and more: most of the time goes there.
   /// Fewer: the copy loses the features for which a cut is extended.
   int growth_faces = 1200;
 
@@ -151,8 +151,8 @@ struct Cut_numbers
   /// along the edges of a surface that is a hundred times finer
   int lift_samples = 8;
 
-  /// how far the cut may be rerouted on either side, in edges of the cut. More: it is shorter; but another way may leave
-  /// more stretch than the cut that was chosen.
+  /// how far the cut may be rerouted on either side, in edges of the cut. More: it is shorter, but another way may
+  /// leave more stretch than the cut that was chosen.
   double lift_band = 2;
 };
 

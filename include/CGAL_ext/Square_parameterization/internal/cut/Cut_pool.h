@@ -123,8 +123,8 @@ public:
   /// what a score has cost. \pre there is one
   long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
 
-  /// good cuts of different lengths, the shortest first: the best of each of as many equal ranges of length as are to be
-  /// selected, unless its score is far from the best
+  /// good cuts of different lengths, the shortest first: the best of each of `selected` equal ranges of length, unless
+  /// its score is far from the best
   std::vector<Cut> selection() const
   {
     const int count = numbers().selected;

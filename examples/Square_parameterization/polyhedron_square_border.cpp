@@ -2,7 +2,6 @@
 //
 // The one-call function on a Polyhedron_3: it splits chords, searches the corners and returns all it found.
 
-#include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -26,10 +25,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   std::map<Vertex, Kernel::Point_2> uv;
-  CGAL_ext::Square_map_options<Mesh> options;
-  options.search = CGAL_ext::Hybrid_corner_search();
-  const auto result = CGAL_ext::parameterize_onto_square(mesh, boost::make_assoc_property_map(uv),
-                                                         CGAL_ext::parameters::options(options));
+  const auto result = CGAL_ext::parameterize_onto_square(mesh, boost::make_assoc_property_map(uv));
   if(result.status != SMP::OK) {
     std::cerr << result.message << '\n';
     return EXIT_FAILURE;

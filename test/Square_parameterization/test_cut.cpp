@@ -4,6 +4,7 @@
 #include "closed_meshes.h"
 #include "opened_surface.h"
 
+#include <CGAL_ext/Square_parameterization/internal/cut/Nearest_vertex.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_open.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_paths.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
@@ -136,6 +137,31 @@ TEST_CASE("every surface is cut to a disk, before rerouting and after, and rerou
       CHECK(cut.length(surface) == once);
     }
   }
+}
+
+TEST_CASE("the nearest vertex is that of lowest number among all that are nearest")
+{
+  const auto check = [](const Triangle_surface& surface, const Eigen::Vector3d& p) {
+    std::vector<double> squared;
+    for(const Eigen::Vector3d& q : surface.points)
+      squared.push_back((q - p).squaredNorm());
+    return Nearest_vertex(surface)(p) == std::min_element(squared.begin(), squared.end()) - squared.begin();
+  };
+  // on a grid the ends and the middle of every edge, and the middle of every face, are as near to several vertices
+  for(const Triangle_surface& surface :
+      {surface_of(plane(9, 3)), surface_of(ellipsoid(3, 2)), surface_of(plane(5, 0.1))}) {
+    for(const auto& [a, b] : surface.edges)
+      for(double t : {0., 0.25, 0.5, 1.})
+        CHECK(check(surface, (1 - t) * surface.points[a] + t * surface.points[b]));
+    for(const auto& [a, b, c] : surface.triangles)
+      CHECK(check(surface, (surface.points[a] + surface.points[b] + surface.points[c]) / 3));
+  }
+  Triangle_surface coincident = surface_of(plane(9, 3));
+  for(std::size_t v = 20; v < coincident.points.size(); ++v)
+    coincident.points[v] = coincident.points[20]; // more of them than a leaf of a tree holds
+  for(int v : {3, 19, 20, 40})
+    CHECK(check(coincident, coincident.points[v]));
+  CHECK(check(coincident, {100, -1, 7}));
 }
 
 TEST_CASE("a lifted cut keeps to its way though another is shorter")

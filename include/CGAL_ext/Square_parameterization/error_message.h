@@ -27,7 +27,7 @@ inline const char* error_message(CGAL::Surface_mesh_parameterization::Error_code
   case SMP::ERROR_NO_TOPOLOGICAL_BALL:
     return "the mesh is not a topological ball";
   case SMP::ERROR_BORDER_TOO_SHORT:
-    return "the border has fewer vertices than the parameterization needs, or an edge without length";
+    return "the border has fewer vertices than the parameterization needs, or is none";
   case SMP::ERROR_NON_CONVEX_BORDER:
     return "the parameterization needs a convex border";
   case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:

@@ -53,8 +53,8 @@ inline CGAL::Named_function_parameters<Seam_options, internal::options_t> option
 /// Edges that are marked before stay seams, and what they lack is added; then nothing is decided by stretch.
 ///
 /// The cut is grown from one that the topology needs: terminals are added, dropped and moved while the stretch that is
-/// left on the square, plus the weighted length, falls; after Gu, Gortler and Hoppe, <em>Geometry images</em>, SIGGRAPH
-/// 2002. Large surfaces are decided on by a simplified copy. Deterministic.
+/// left on the square, plus the weighted length, falls; after Gu, Gortler and Hoppe \cgalCite{ggh-gi-02}. Large surfaces
+/// are decided on by a simplified copy. Deterministic.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph`.
 /// \tparam SeamEdgeMap must be a model of `ReadWritePropertyMap` with the edge descriptor as key type and `bool` as

@@ -62,10 +62,9 @@ inline bool may_be_freed(const Triangle_surface& surface, const Cut& cut)
 }
 
 /// indicates whether the handles and holes make one cut much like another, and a terminal more or less nothing
-inline bool has_many_loops(const Triangle_surface& surface)
+inline bool has_many_loops(const Triangle_surface& surface, const Cut_numbers& numbers)
 {
-  constexpr std::size_t MANY = 40; // round holes, and along and round handles
-  return 2 * surface.genus() + surface.border_loops.size() >= MANY;
+  return 2 * surface.genus() + static_cast<int>(surface.border_loops.size()) >= numbers.many_loops;
 }
 
 /// all cuts of one surface that were scored. None is scored twice; those that compete are scored concurrently, and the
@@ -79,6 +78,7 @@ public:
   {}
 
   const Triangle_surface& surface() const { return m_surface; }
+  const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
   /// makes cuts by `make(cut)`, concurrently, and scores them. Returns them without those that were extended or moved
   /// and are too long.
@@ -123,16 +123,16 @@ public:
   /// what a score has cost. \pre there is one
   long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
 
-  /// good cuts of different lengths, the shortest first: the best of each of \p count equal ranges of length, unless
+  /// good cuts of different lengths, the shortest first: the best of each of `selected` equal ranges of length, unless
   /// its score is far from the best
-  std::vector<Cut> selection(int count) const
+  std::vector<Cut> selection() const
   {
-    constexpr double FAR = 1.05; // times the best score
+    const int count = numbers().selected;
     const Scored_cut& best = *std::min_element(m_known.begin(), m_known.end(), is_better);
     double shortest = best.score.length, longest = shortest;
     std::vector<const Scored_cut*> good, best_of_range(count, nullptr);
     for(const Scored_cut& known : m_known)
-      if(known.score.score <= FAR * best.score.score) {
+      if(known.score.score <= numbers().far * best.score.score) {
         good.push_back(&known);
         shortest = (std::min)(shortest, known.score.length);
         longest = (std::max)(longest, known.score.length);

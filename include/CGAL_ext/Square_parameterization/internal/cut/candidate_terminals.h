@@ -30,13 +30,14 @@ inline std::vector<int> successive_farthest_points(const Triangle_surface& surfa
 
 /// the vertices away from the seams where the map of the opened surface onto the circle stretches most: local maxima,
 /// highest first
-inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, const Cut& cut, int count)
+inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, const Cut& cut,
+                                              const Cut_numbers& numbers)
 {
   std::vector<double> sigma;
   try {
     const Patch patch = patch_of_cut(surface, cut);
     Stretch_minimization minimization;
-    minimization.maximum_iterations = 5;
+    minimization.maximum_iterations = numbers.circle_iterations;
     const Stretch_iteration iteration(patch, minimization);
     Stretch_iteration::Workspace workspace;
     const Minimized_map map =
@@ -58,15 +59,15 @@ inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, c
       maxima.push_back(v);
   }
   std::stable_sort(maxima.begin(), maxima.end(), [&sigma](int a, int b) { return sigma[a] > sigma[b]; });
-  maxima.resize((std::min)(maxima.size(), static_cast<std::size_t>(count)));
+  maxima.resize((std::min)(maxima.size(), static_cast<std::size_t>(numbers.candidates)));
   return maxima;
 }
 
-/// vertices that the cut might reach to leave less stretch: up to \p count of either kind
-inline std::vector<int> candidate_terminals(const Triangle_surface& surface, const Cut& cut, int count)
+/// vertices that the cut might reach to leave less stretch: up to `numbers.candidates` of either kind
+inline std::vector<int> candidate_terminals(const Triangle_surface& surface, const Cut& cut, const Cut_numbers& numbers)
 {
-  std::vector<int> candidates = successive_farthest_points(surface, cut, count);
-  for(int v : circle_stretch_maxima(surface, cut, count))
+  std::vector<int> candidates = successive_farthest_points(surface, cut, numbers.candidates);
+  for(int v : circle_stretch_maxima(surface, cut, numbers))
     if(std::find(candidates.begin(), candidates.end(), v) == candidates.end())
       candidates.push_back(v);
   return candidates;

@@ -18,7 +18,9 @@ namespace internal {
 class Cut_growth
 {
 public:
-  Cut_growth(Cut_pool& pool, Cut_report& report) : m_pool(pool), m_surface(pool.surface()), m_report(report) {}
+  Cut_growth(Cut_pool& pool, Cut_report& report)
+    : m_pool(pool), m_surface(pool.surface()), m_numbers(pool.numbers()), m_report(report)
+  {}
 
   /// the best cut met on the way from the best of \p starts to long cuts, and back
   Cut grow(const std::vector<Cut>& starts)
@@ -38,16 +40,11 @@ public:
   }
 
 private:
-  static constexpr int MAXIMUM_ADDITIONS = 10;
-  static constexpr int PATIENCE = 3;   // changes in a row that may fail to lower the score
-  static constexpr int CANDIDATES = 5; // farthest points, and as many stretch maxima, for a terminal
-
   /// indicates whether another terminal, with all of its candidates, would be too much work, in vertices to map
   bool is_exhausted() const
   {
-    constexpr long WORK = 150000, LITTLE_WORK = 70000;
-    return m_pool.vertices_mapped() + 2 * CANDIDATES * m_pool.vertices_per_score() >
-           (has_many_loops(m_surface) ? LITTLE_WORK : WORK);
+    const long limit = has_many_loops(m_surface, m_numbers) ? m_numbers.little_growth_work : m_numbers.growth_work;
+    return m_pool.vertices_mapped() + 2 * m_numbers.candidates * m_pool.vertices_per_score() > limit;
   }
 
   /// the best of the cuts (ties: the first)
@@ -78,9 +75,9 @@ private:
   {
     Scored_cut current = best;
     int failures = 0;
-    for(int i = 0; i < MAXIMUM_ADDITIONS && failures < PATIENCE && !is_exhausted(); ++i) {
+    for(int i = 0; i < m_numbers.most_additions && failures < m_numbers.patience && !is_exhausted(); ++i) {
       const auto longer =
-          extensions(current.cut, candidate_terminals(m_surface, current.cut, CANDIDATES), Cut_step::ADDED);
+          extensions(current.cut, candidate_terminals(m_surface, current.cut, m_numbers), Cut_step::ADDED);
       if(longer.empty())
         break;
       follow(best_of(longer), current, best, failures);
@@ -92,7 +89,7 @@ private:
   /// way
   void drop_terminals(Scored_cut current, Scored_cut& best)
   {
-    for(int failures = 0; failures < PATIENCE && may_be_freed(m_surface, current.cut) && !is_exhausted();) {
+    for(int failures = 0; failures < m_numbers.patience && may_be_freed(m_surface, current.cut) && !is_exhausted();) {
       std::vector<Scored_cut> shorter;
       for(int terminal : current.cut.terminals())
         shorter.push_back({current.cut, Cut_step::DROPPED, terminal});
@@ -114,16 +111,15 @@ private:
   /// lets each terminal in turn give way to a better one, as long as the score falls
   void move_terminals(Scored_cut& best)
   {
-    constexpr int ROUNDS = 2;
     bool is_changed = true;
-    for(int round = 0; round < ROUNDS && is_changed; ++round) {
+    for(int round = 0; round < m_numbers.move_rounds && is_changed; ++round) {
       is_changed = false;
       for(int terminal : std::vector<int>(best.cut.terminals())) {
         if(!may_be_freed(m_surface, best.cut) || is_exhausted())
           return;
         Cut shorter = best.cut;
         free_cut(m_surface, terminal, shorter);
-        std::vector<int> places = candidate_terminals(m_surface, shorter, CANDIDATES);
+        std::vector<int> places = candidate_terminals(m_surface, shorter, m_numbers);
         for(int e : m_surface.vertex_edges[terminal])
           places.push_back(m_surface.other_end(e, terminal));
         const auto moved = extensions(shorter, places, Cut_step::MOVED);
@@ -139,6 +135,7 @@ private:
 
   Cut_pool& m_pool;
   const Triangle_surface& m_surface;
+  const Cut_numbers& m_numbers;
   Cut_report& m_report;
 };
 

@@ -4,30 +4,16 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_LIFT_CUT_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_LIFT_CUT_H
 
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Nearest_vertex.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// the vertex of the surface nearest to \p p; ties: lowest
-inline int nearest_vertex(const Triangle_surface& surface, const Eigen::Vector3d& p)
-{
-  int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for(int v = 0; v < surface.number_of_vertices(); ++v) {
-    const double squared = (surface.points[v] - p).squaredNorm();
-    if(squared < least) {
-      least = squared;
-      nearest = v;
-    }
-  }
-  return nearest;
-}
 
 /// a cut of \p surface like the cut \p simple of a simplified copy of it: the same terminals, and round the same
 /// handles and holes.
@@ -35,31 +21,31 @@ inline int nearest_vertex(const Triangle_surface& surface, const Eigen::Vector3d
 /// The faces far from the simple cut are unfolded first, so that what remains to be cut lies near it; rerouting then
 /// straightens it, but stays near: another way may be shorter here, and leave more stretch than the cut that was
 /// chosen. The topology is right even where the two surfaces differ.
-inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const Triangle_surface& surface)
+inline Cut lift_cut(const Triangle_surface& simplified, const Cut& simple, const Triangle_surface& surface,
+                    const Cut_numbers& numbers = {})
 {
   if(simple.edges().empty())
     return Cut(surface);
-  constexpr int SAMPLES = 8; // per edge: enough to lead along the edges of a surface that is a hundred times finer
-  constexpr double BAND = 2; // how far the cut may move on either side, in edges of the simple cut
+  const Nearest_vertex nearest_vertex(surface);
   std::vector<int> near;
   for(int e : simple.edges()) {
     const auto& [a, b] = simplified.edges[e];
-    for(int i = 0; i <= SAMPLES; ++i) {
-      const double t = static_cast<double>(i) / SAMPLES;
-      near.push_back(nearest_vertex(surface, (1 - t) * simplified.points[a] + t * simplified.points[b]));
+    for(int i = 0; i <= numbers.lift_samples; ++i) {
+      const double t = static_cast<double>(i) / numbers.lift_samples;
+      near.push_back(nearest_vertex((1 - t) * simplified.points[a] + t * simplified.points[b]));
     }
   }
   const Shortest_paths paths = shortest_paths(surface, near);
   Cut cut(surface);
   for(int terminal : simple.terminals())
-    cut.add_terminal(nearest_vertex(surface, simplified.points[terminal]));
+    cut.add_terminal(nearest_vertex(simplified.points[terminal]));
   cut_beside_face_tree(surface, lengths_through_edges(surface, paths), std::vector<bool>(surface.edges.size(), false),
                        cut);
   if(surface.border_loops.empty() && cut.edges().size() < 2) {
     cut = Cut(surface);
     initial_cut(surface, 0, cut);
   }
-  const double band = BAND * simple.length(simplified) / static_cast<double>(simple.edges().size());
+  const double band = numbers.lift_band * simple.length(simplified) / static_cast<double>(simple.edges().size());
   std::vector<bool> is_near;
   for(double distance : paths.distances)
     is_near.push_back(distance <= band);

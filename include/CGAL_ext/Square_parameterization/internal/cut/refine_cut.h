@@ -18,7 +18,6 @@ namespace internal {
 /// does, or when the pool has mapped \p work vertices
 inline bool improve_cut(Cut_pool& pool, double distance, long work, Scored_cut& best, Cut_report& report)
 {
-  constexpr int DIRECTIONS = 3; // besides that along the cut
   const Triangle_surface& surface = pool.surface();
   bool is_improved = false;
   for(int terminal : std::vector<int>(best.cut.terminals())) {
@@ -27,7 +26,7 @@ inline bool improve_cut(Cut_pool& pool, double distance, long work, Scored_cut& 
     std::vector<Scored_cut> cuts;
     if(may_be_freed(surface, best.cut))
       cuts.push_back({best.cut, Cut_step::DROPPED, terminal});
-    for(int place : nearby_places(surface, best.cut, terminal, distance, DIRECTIONS))
+    for(int place : nearby_places(surface, best.cut, terminal, distance, pool.numbers().directions))
       cuts.push_back({best.cut, Cut_step::MOVED, place});
     cuts = pool(std::move(cuts), [&](Scored_cut& cut) {
       if(cut.kind == Cut_step::MOVED)
@@ -45,13 +44,12 @@ inline bool improve_cut(Cut_pool& pool, double distance, long work, Scored_cut& 
 }
 
 /// moves, or drops, terminals of a cut as long as that lowers its score: first by large steps, then by smaller ones
-/// \param work number of vertices that may be mapped to score cuts
-inline void refine_cut(Cut_pool& pool, long work, Scored_cut& cut, Cut_report& report)
+inline void refine_cut(Cut_pool& pool, Scored_cut& cut, Cut_report& report)
 {
-  constexpr double FIRST_STEP = 0.12, LAST_STEP = 0.03; // in units of sqrt(area)
+  const Cut_numbers& numbers = pool.numbers();
   record(cut, report);
-  work += pool.vertices_mapped();
-  for(double step = FIRST_STEP; step >= LAST_STEP && pool.vertices_mapped() < work;)
+  const long work = pool.vertices_mapped() + numbers.refinement_work;
+  for(double step = numbers.first_step; step >= numbers.last_step && pool.vertices_mapped() < work;)
     if(!improve_cut(pool, step * std::sqrt(pool.surface().area), work, cut, report))
       step /= 2;
 }

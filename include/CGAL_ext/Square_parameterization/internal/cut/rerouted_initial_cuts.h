@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REROUTED_INITIAL_CUTS_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
 
@@ -16,11 +17,14 @@ namespace internal {
 
 /// the cuts to begin with: one for each of several roots on a closed surface with handles, where the shortest is often
 /// not the best; else one
-inline std::vector<Cut> rerouted_initial_cuts(const Triangle_surface& surface, Thread_team& team)
+inline std::vector<Cut> rerouted_initial_cuts(const Triangle_surface& surface, const Cut_numbers& numbers,
+                                              Thread_team& team)
 {
-  constexpr int ROOTS = 12, FEWEST_ROOTS = 2, HANDLES = 120; // with many handles one cut is much like another
   const bool has_choice = surface.border_loops.empty() && surface.genus() > 0;
-  const int count = has_choice ? (std::max)(FEWEST_ROOTS, (std::min)(ROOTS, HANDLES / surface.genus())) : 1;
+  const int count = has_choice
+                        ? (std::max)(numbers.fewest_roots,
+                                     (std::min)(numbers.most_roots, numbers.roots_times_handles / surface.genus()))
+                        : 1;
   std::vector<int> roots{0};
   while(static_cast<int>(roots.size()) < count)
     roots.push_back(farthest_vertex(shortest_paths(surface, roots)));
@@ -35,7 +39,7 @@ inline std::vector<Cut> rerouted_initial_cuts(const Triangle_surface& surface, T
 /// the shortest of them
 inline Cut shortest_cut(const Triangle_surface& surface, Thread_team& team)
 {
-  const std::vector<Cut> cuts = rerouted_initial_cuts(surface, team);
+  const std::vector<Cut> cuts = rerouted_initial_cuts(surface, Cut_numbers(), team);
   return *std::min_element(cuts.begin(), cuts.end(),
                            [&surface](const Cut& a, const Cut& b) { return a.length(surface) < b.length(surface); });
 }

@@ -5,7 +5,9 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SCORE_CUT_H
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
@@ -20,12 +22,9 @@ namespace internal {
 /// how a cut is judged
 struct Cut_score_options
 {
-  double cut_weight = 0.05; ///< stretch that a cut of length sqrt(area) must save
-  double balance = 0.3;     ///< of the energy that is minimised
-  int corner_candidates = 8;
-  int iterations = 1;      ///< of the stretch iteration, per candidate
-  int steps = 100;         ///< of the balanced minimizer, for the best of them: most need half of them
-  double tolerance = 1e-3; ///< of the minimizer: the score need not be better than what it decides
+  double cut_weight = Cut_options().cut_weight; ///< stretch that a cut of length sqrt(area) must save
+  double balance = Seam_options().balance;      ///< of the energy that is minimised
+  Cut_numbers numbers = {};
 
   double score(double stretch, double length) const { return stretch + cut_weight * length; }
 };
@@ -70,7 +69,7 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
                                  const Cut_score_options& options)
 {
   Stretch_minimization start;
-  start.maximum_iterations = options.iterations;
+  start.maximum_iterations = options.numbers.start_iterations;
   const Stretch_iteration iteration(patch, start);
   Stretch_iteration::Workspace workspace;
   Minimized_map best;
@@ -89,10 +88,10 @@ inline Minimized_map quick_map(const Patch& patch, Minimized_map start, const Cu
 {
   Balanced_minimization balanced;
   balanced.balance = options.balance;
-  balanced.maximum_iterations = options.steps;
+  balanced.maximum_iterations = options.numbers.score_steps;
   Balanced_minimizer::Workspace workspace;
   const Balanced_minimizer minimizer(patch, balanced);
-  return minimizer.minimize({std::move(start.uv), {}, {}}, options.tolerance, workspace);
+  return minimizer.minimize({std::move(start.uv), {}, {}}, options.numbers.score_tolerance, workspace);
 }
 
 /// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched
@@ -100,8 +99,8 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
 {
   Balanced_minimization minimization;
   minimization.balance = options.balance;
-  minimization.search_tolerance = options.tolerance;
-  minimization.maximum_iterations = options.steps;
+  minimization.search_tolerance = options.numbers.score_tolerance;
+  minimization.maximum_iterations = options.numbers.score_steps;
   return make_minimizer(patch, minimization)->make_worker()(border, nullptr);
 }
 
@@ -109,9 +108,8 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
 /// which are mapped in earnest.
 inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& options)
 {
-  constexpr int SLOWER = 5; // is a map from coarse to fine
   Cut_score score;
-  const std::vector<Uv_coordinates> borders = spread_borders(patch, options.corner_candidates);
+  const std::vector<Uv_coordinates> borders = spread_borders(patch, options.numbers.corner_candidates);
   Minimized_map start = quick_start(patch, borders, options);
   Uv_coordinates border = borders.front();
   score.is_slow = true;
@@ -124,7 +122,7 @@ inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& opti
   }
   if(score.is_slow)
     score.stretch = (std::min)(score.stretch, slow_map(patch, border, options).report.l2);
-  score.vertices = (score.is_slow ? SLOWER : 1) * patch.number_of_vertices();
+  score.vertices = (score.is_slow ? options.numbers.slow_map_work : 1) * patch.number_of_vertices();
   return score;
 }
 

@@ -23,23 +23,23 @@ namespace internal {
 
 /// a copy of about \p faces triangles, and more when there are many handles and holes; nothing when the surface has
 /// hardly more, or cannot be simplified
-inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces)
+inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces,
+                                                       const Cut_numbers& numbers = {})
 {
-  constexpr int FACES_PER_LOOP = 12; // round a hole, or along or round a handle
-  faces += FACES_PER_LOOP * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
-  return surface.number_of_faces() > 5 * faces / 4 ? decimate_surface(surface, faces) : std::nullopt;
+  faces += numbers.faces_per_loop * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
+  if(surface.number_of_faces() <= numbers.least_reduction * faces)
+    return std::nullopt;
+  return decimate_surface(surface, faces, numbers.very_fine, numbers.still_fine);
 }
-
-/// of the maps by which cuts are judged; relative
-constexpr double JUDGING_TOLERANCE = 1e-3;
 
 /// the stretch of the opened surface when its corners are searched, among few, and its map is minimised as that to be
 /// delivered, but not to its tolerance; infinite when there is no map
-inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance)
+inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance,
+                               double tolerance = Cut_numbers().judging_tolerance)
 {
   Balanced_minimization minimization;
   minimization.balance = balance;
-  minimization.tolerance = minimization.search_tolerance = JUDGING_TOLERANCE;
+  minimization.tolerance = minimization.search_tolerance = tolerance;
   Square_search_options options;
   options.number_of_threads = 1;
   try {
@@ -56,7 +56,7 @@ inline void judge(const Triangle_surface& surface, const Cut_score_options& scor
 {
   team(cuts.size(), [&](std::size_t i) {
     Cut_score& score = cuts[i].score;
-    score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance);
+    score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance, scoring.numbers.judging_tolerance);
     score.score = scoring.score(score.stretch, score.length);
     cuts[i].kind = Cut_step::JUDGED;
   });
@@ -79,24 +79,25 @@ inline const Scored_cut& shortest_of_best(const std::vector<Scored_cut>& cuts, d
 class Cut_decision
 {
 public:
-  Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report)
-    : m_max_cut_length(options.max_cut_length), m_team(team), m_report(report)
-  {
-    m_scoring.cut_weight = options.cut_weight;
-    m_scoring.balance = options.balance;
-  }
+  Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report, const Cut_numbers& numbers = {})
+    : m_scoring{options.cut_weight, options.balance, numbers},
+      m_max_cut_length(options.max_cut_length),
+      m_team(team),
+      m_report(report)
+  {}
 
   /// for a surface of any size: large ones are decided on by a simplified copy
   Cut operator()(const Triangle_surface& surface)
   {
-    constexpr int DECISION_FACES = 4000;
-    constexpr double COPY_TOLERANCE = 5e-3; // a copy overrates the stretch of short cuts by about that
-    const std::optional<Triangle_surface> copy = simplified_copy(surface, DECISION_FACES);
+    const std::optional<Triangle_surface> copy = simplified_copy(surface, numbers().decision_faces, numbers());
     m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
-    return copy ? lift_cut(*copy, decide(*copy, COPY_TOLERANCE), surface) : decide(surface, JUDGING_TOLERANCE);
+    return copy ? lift_cut(*copy, decide(*copy, numbers().copy_tolerance), surface, numbers())
+                : decide(surface, numbers().judging_tolerance);
   }
 
 private:
+  const Cut_numbers& numbers() const { return m_scoring.numbers; }
+
   Cut_pool make_pool(const Triangle_surface& surface) { return {surface, m_scoring, m_max_cut_length, m_team}; }
 
   /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
@@ -107,16 +108,15 @@ private:
   /// \param tolerance relative: of scores that differ by less the shortest cut wins
   Cut decide(const Triangle_surface& surface, double tolerance)
   {
-    constexpr std::size_t JUDGED = 3;
-    constexpr long REFINEMENT_WORK = 30000; // vertices to map
     Cut_pool pool = make_pool(surface);
     std::vector<Scored_cut> cuts = pool.start(grown_cuts(surface));
     std::stable_sort(cuts.begin(), cuts.end(), is_better);
     const auto is_same = [](const Scored_cut& a, const Scored_cut& b) { return a.cut.edges() == b.cut.edges(); };
     cuts.erase(std::unique(cuts.begin(), cuts.end(), is_same), cuts.end());
-    refine_cut(pool, REFINEMENT_WORK, cuts.front(), m_report);
-    const bool is_unjudged = has_many_loops(surface) || cuts.front().score.is_slow;
-    cuts.resize((std::min)(cuts.size(), is_unjudged ? 1 : JUDGED), cuts.front());
+    refine_cut(pool, cuts.front(), m_report);
+    const bool is_unjudged = has_many_loops(surface, numbers()) || cuts.front().score.is_slow;
+    const std::size_t judged = is_unjudged ? 1 : static_cast<std::size_t>(numbers().judged);
+    cuts.resize((std::min)(cuts.size(), judged), cuts.front());
     const auto is_empty = [](const Scored_cut& cut) { return cut.cut.edges().empty(); };
     if(surface.is_disk() && std::none_of(cuts.begin(), cuts.end(), is_empty)) // a cut that is not needed must pay
       cuts.push_back(pool.start({Cut(surface)}).front());
@@ -132,22 +132,21 @@ private:
   /// growth ends in one of many local minima.
   std::vector<Cut> grown_cuts(const Triangle_surface& surface)
   {
-    constexpr int GROWTH_FACES = 1200, SIMPLER_FACES = 700, SELECTED = 10;
-    const std::optional<Triangle_surface> copy = simplified_copy(surface, GROWTH_FACES);
+    const std::optional<Triangle_surface> copy = simplified_copy(surface, numbers().growth_faces, numbers());
     const Triangle_surface& grown = copy ? *copy : surface;
     Cut_pool pool = make_pool(grown);
     Cut_growth growth(pool, m_report);
-    std::vector<Cut> cuts{growth.grow(rerouted_initial_cuts(grown, m_team))};
-    if(const std::optional<Triangle_surface> simpler = simplified_copy(grown, SIMPLER_FACES)) {
+    std::vector<Cut> cuts{growth.grow(rerouted_initial_cuts(grown, numbers(), m_team))};
+    if(const auto simpler = simplified_copy(grown, numbers().simpler_growth_faces, numbers())) {
       Cut_report ignored;
       Cut_pool simpler_pool = make_pool(*simpler);
-      const Cut simple = Cut_growth(simpler_pool, ignored).grow(rerouted_initial_cuts(*simpler, m_team));
-      cuts.push_back(lift_cut(*simpler, simple, grown));
+      const Cut simple = Cut_growth(simpler_pool, ignored).grow(rerouted_initial_cuts(*simpler, numbers(), m_team));
+      cuts.push_back(lift_cut(*simpler, simple, grown, numbers()));
     }
     growth.polish(cuts);
-    cuts = pool.selection(SELECTED);
+    cuts = pool.selection();
     if(copy)
-      m_team(cuts.size(), [&](std::size_t i) { cuts[i] = lift_cut(grown, cuts[i], surface); });
+      m_team(cuts.size(), [&](std::size_t i) { cuts[i] = lift_cut(grown, cuts[i], surface, numbers()); });
     return cuts;
   }
 

@@ -24,7 +24,7 @@ struct Triangle_stretch
   double uv_area;    ///< signed
 };
 
-/// twice the signed area of the uv triangle `abc`
+/// twice the signed area of the uv triangle of the vertices \p t: positive when they are counter-clockwise
 inline double twice_uv_area(const Uv_coordinates& uv, const std::array<int, 3>& t)
 {
   const Eigen::RowVector2d a = uv.row(t[1]) - uv.row(t[0]), b = uv.row(t[2]) - uv.row(t[0]);

@@ -35,10 +35,13 @@ void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& pl
 }
 
 /// a simpler surface of the same topology with about \p faces triangles, or more where the topology needs them; nothing
-/// when simplification spoils the surface
-inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces)
+/// when simplification spoils the surface. The shortest edges of a very fine surface are collapsed first, in a third of
+/// the time, which costs hardly any of its shape.
+/// \param very_fine times \p faces: surfaces with more triangles are very fine
+/// \param still_fine times \p faces: triangles left by collapsing the shortest edges
+inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces, double very_fine,
+                                                        double still_fine)
 {
-  constexpr int MANY = 4, STILL_FINE = 3; // times the faces aimed at
   namespace SMS = CGAL::Surface_mesh_simplification;
   typedef CGAL::Simple_cartesian<double> Kernel;
   typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
@@ -48,9 +51,9 @@ inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& 
   for(const auto& [a, b, c] : surface.triangles)
     if(mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) == Mesh::null_face())
       return std::nullopt;
-  // the shortest edges of a fine surface are collapsed in a third of the time, and cost hardly any of its shape
-  if(surface.number_of_faces() > MANY * faces)
-    collapse_edges(mesh, STILL_FINE * faces, SMS::Edge_length_cost<Mesh>(), SMS::Midpoint_placement<Mesh>());
+  if(surface.number_of_faces() > very_fine * faces)
+    collapse_edges(mesh, static_cast<int>(still_fine * faces), SMS::Edge_length_cost<Mesh>(),
+                   SMS::Midpoint_placement<Mesh>());
   collapse_edges(mesh, faces, SMS::LindstromTurk_cost<Mesh>(), SMS::LindstromTurk_placement<Mesh>());
   mesh.collect_garbage();
 

@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// benchmark/Square_parameterization/cut_defaults.cpp
+//
+// Justifies the defaults of Cut_numbers: decides on the cut of every mesh with each number in turn made lower and
+// higher, and prints what that does to the sum over the meshes of L2 stretch + 0.05 times the length of the cut, to the
+// mesh that loses most, and to the seconds of the decision. The L2 stretch is that of the map which is delivered.
+//
+//   cut_defaults build/data/meshes/pig.off build/data/meshes/eight.off --numbers patience,growth_work
+//
+// All numbers over the default meshes take an hour or two. Numbers for many handles change cuts of such meshes alone.
+
+#include "../../examples/Square_parameterization/include/square_map/read_surface.h"
+
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/surface_of_soup.h>
+
+#include <boost/algorithm/string.hpp>
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace {
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+typedef std::variant<int Cut_numbers::*, long Cut_numbers::*, double Cut_numbers::*> Number;
+
+/// a number, and the values it is given in place of its default
+struct Variation
+{
+  std::string name;
+  Number number;
+  double lower, higher;
+};
+
+const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decision_faces, 2000, 8000},
+                                        {"growth_faces", &Cut_numbers::growth_faces, 800, 2400},
+                                        {"simpler_growth_faces", &Cut_numbers::simpler_growth_faces, 350, 900},
+                                        {"faces_per_loop", &Cut_numbers::faces_per_loop, 6, 24},
+                                        {"least_reduction", &Cut_numbers::least_reduction, 1, 2},
+                                        {"very_fine", &Cut_numbers::very_fine, 3.25, 1000},
+                                        {"still_fine", &Cut_numbers::still_fine, 1.5, 4},
+                                        {"corner_candidates", &Cut_numbers::corner_candidates, 2, 16},
+                                        {"start_iterations", &Cut_numbers::start_iterations, 0, 4},
+                                        {"score_steps", &Cut_numbers::score_steps, 25, 400},
+                                        {"score_tolerance", &Cut_numbers::score_tolerance, 1e-4, 1e-2},
+                                        {"slow_map_work", &Cut_numbers::slow_map_work, 1, 20},
+                                        {"most_roots", &Cut_numbers::most_roots, 3, 24},
+                                        {"fewest_roots", &Cut_numbers::fewest_roots, 1, 6},
+                                        {"roots_times_handles", &Cut_numbers::roots_times_handles, 6, 600},
+                                        {"most_additions", &Cut_numbers::most_additions, 3, 20},
+                                        {"patience", &Cut_numbers::patience, 1, 6},
+                                        {"candidates", &Cut_numbers::candidates, 2, 10},
+                                        {"circle_iterations", &Cut_numbers::circle_iterations, 1, 20},
+                                        {"growth_work", &Cut_numbers::growth_work, 50000, 450000},
+                                        {"little_growth_work", &Cut_numbers::little_growth_work, 20000, 210000},
+                                        {"many_loops", &Cut_numbers::many_loops, 2, 1000},
+                                        {"move_rounds", &Cut_numbers::move_rounds, 0, 4},
+                                        {"selected", &Cut_numbers::selected, 3, 30},
+                                        {"far", &Cut_numbers::far, 1.01, 1.2},
+                                        {"directions", &Cut_numbers::directions, 1, 8},
+                                        {"first_step", &Cut_numbers::first_step, 0.06, 0.24},
+                                        {"last_step", &Cut_numbers::last_step, 0.015, 0.06},
+                                        {"refinement_work", &Cut_numbers::refinement_work, 0, 120000},
+                                        {"judged", &Cut_numbers::judged, 1, 8},
+                                        {"judging_tolerance", &Cut_numbers::judging_tolerance, 1e-4, 1e-2},
+                                        {"copy_tolerance", &Cut_numbers::copy_tolerance, 0, 2e-2},
+                                        {"lift_samples", &Cut_numbers::lift_samples, 1, 32},
+                                        {"lift_band", &Cut_numbers::lift_band, 0.5, 8}};
+
+double value_of(const Cut_numbers& numbers, const Number& number)
+{
+  return std::visit([&](auto member) { return static_cast<double>(numbers.*member); }, number);
+}
+
+Cut_numbers with(const Number& number, double value)
+{
+  Cut_numbers numbers;
+  std::visit([&](auto member) { numbers.*member = static_cast<std::decay_t<decltype(numbers.*member)>>(value); },
+             number);
+  return numbers;
+}
+
+/// a mesh, and what the cuts are worth that were measured
+struct Model
+{
+  std::string name;
+  Triangle_surface surface;
+  std::map<std::vector<int>, double> worths; // by the edges of a cut
+};
+
+/// what became of all meshes
+struct Outcome
+{
+  std::vector<std::vector<int>> cuts; // their edges, per mesh
+  std::vector<double> worths;         // per mesh
+  double seconds = 0;
+};
+
+/// L2 stretch of the map that is delivered, plus the weighted length of the cut
+double measure(const Triangle_surface& surface, const Cut& cut)
+{
+  try {
+    const Patch patch = patch_of_cut(surface, cut);
+    const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
+    const double l2 = search_square_map(patch, minimizer, Bracketing_corner_search(), {}).map.report.l2;
+    return Cut_score_options().score(l2, cut.length(surface) / std::sqrt(surface.area));
+  } catch(const Unmappable&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+Outcome decide(std::vector<Model>& models, const Cut_numbers& numbers, unsigned int threads)
+{
+  constexpr int MOST_TASKS = 16;
+  Thread_team team(threads, MOST_TASKS);
+  Outcome outcome;
+  for(Model& model : models) {
+    Cut_report report;
+    const auto start = std::chrono::steady_clock::now();
+    const Cut cut = Cut_decision(Seam_options(), team, report, numbers)(model.surface);
+    outcome.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome.cuts.push_back(cut.edges());
+    const auto [worth, is_new] = model.worths.try_emplace(cut.edges(), 0);
+    if(is_new)
+      worth->second = measure(model.surface, cut);
+    outcome.worths.push_back(worth->second);
+  }
+  return outcome;
+}
+
+double sum(const std::vector<double>& values)
+{
+  double result = 0;
+  for(double value : values)
+    result += value;
+  return result;
+}
+
+double percent(double value, double reference)
+{
+  return 100 * (value / reference - 1);
+}
+
+void print(const std::string& name, double value, const Outcome& outcome, const Outcome& defaults,
+           const std::vector<Model>& models)
+{
+  int changed = 0;
+  std::size_t worst = 0;
+  for(std::size_t i = 0; i < models.size(); ++i) {
+    changed += outcome.cuts[i] != defaults.cuts[i] ? 1 : 0;
+    if(percent(outcome.worths[i], defaults.worths[i]) > percent(outcome.worths[worst], defaults.worths[worst]))
+      worst = i;
+  }
+  std::cout << std::left << std::setw(21) << name << std::right << std::defaultfloat << std::setw(8) << value
+            << std::setw(6) << changed << std::fixed << std::setprecision(4) << std::setw(10) << sum(outcome.worths)
+            << std::setprecision(2) << std::setw(8) << percent(sum(outcome.worths), sum(defaults.worths))
+            << std::setw(8) << percent(outcome.worths[worst], defaults.worths[worst]) << "  " << std::left
+            << std::setw(20) << models[worst].name << std::right << std::setw(8) << outcome.seconds << std::setw(7)
+            << outcome.seconds / defaults.seconds << std::endl;
+}
+
+/// reads the meshes; the default ones are of genus 0, 1, 2 and more, with and without borders, and of one size each
+std::vector<Model> read_models(std::vector<std::string> files)
+{
+  if(files.empty())
+    for(const char* name : {"pig", "hand", "cow", "knot1", "eight", "bull", "fandisk", "bear", "cheese"})
+      files.push_back(std::string(CGAL_EXT_MESHES) + "/" + name + ".off");
+  std::vector<Model> models;
+  for(const std::string& file : files) {
+    Surface_soup soup = square_map::read_soup(file);
+    Conditioning_options options;
+    options.topology = Topology::CONNECTED;
+    condition_soup(soup, options);
+    models.push_back({std::filesystem::path(file).stem().string(), surface_of_soup(soup), {}});
+  }
+  return models;
+}
+
+/// the variations of the names, which are parted by commas; all of them for none
+std::vector<Variation> chosen_variations(const std::string& names)
+{
+  if(names.empty())
+    return variations;
+  std::vector<std::string> list;
+  boost::split(list, names, boost::is_any_of(","));
+  std::vector<Variation> chosen;
+  for(const std::string& name : list) {
+    const auto found =
+        std::find_if(variations.begin(), variations.end(), [&](const Variation& v) { return v.name == name; });
+    if(found == variations.end())
+      throw std::invalid_argument("there is no number '" + name + "'");
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+void print_table(std::vector<Model>& models, const std::vector<Variation>& chosen, unsigned int threads)
+{
+  std::cout << "worth: L2 + " << Cut_options().cut_weight
+            << " times the length of the cut, in sides of the square; changes in %; seconds of the decision\n\n"
+               "number                  value  cuts       sum  change   worst  of                   seconds  times\n";
+  const Outcome defaults = decide(models, {}, threads);
+  print("(defaults)", 0, defaults, defaults, models);
+  for(const Variation& variation : chosen) {
+    std::cout << std::left << std::setw(21) << variation.name << std::right << std::defaultfloat << std::setw(8)
+              << value_of({}, variation.number) << "  by default\n";
+    for(const double value : {variation.lower, variation.higher})
+      print("", value, decide(models, with(variation.number, value), threads), defaults, models);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  namespace po = boost::program_options;
+  std::vector<std::string> files;
+  std::string names;
+  unsigned int threads = 0;
+  po::options_description options("cut_defaults [MESH...] [options]");
+  auto add = options.add_options();
+  add("mesh", po::value(&files), "surfaces to be cut; default: nine meshes of libcgal-demo");
+  add("numbers", po::value(&names)->value_name("A,B,..."), "members of Cut_numbers to vary; default: all");
+  add("threads", po::value(&threads)->value_name("N"), "0 (default) for all cores");
+  add("list", "prints the names of the numbers and their values, and ends");
+  try {
+    po::variables_map given;
+    po::store(po::command_line_parser(argc, argv)
+                  .options(options)
+                  .positional(po::positional_options_description().add("mesh", -1))
+                  .run(),
+              given);
+    po::notify(given);
+    const std::vector<Variation> chosen = chosen_variations(names);
+    if(given.count("list") != 0) {
+      for(const auto& [name, number, lower, higher] : chosen)
+        std::cout << name << ": " << value_of({}, number) << ", " << lower << ", " << higher << '\n';
+      return EXIT_SUCCESS;
+    }
+    std::vector<Model> models = read_models(files);
+    print_table(models, chosen, threads);
+  } catch(const po::error& error) {
+    std::cerr << error.what() << '\n' << options;
+    return EXIT_FAILURE;
+  } catch(const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_NUMBERS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_NUMBERS_H
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the tuned numbers of the decision on a cut. None changes what is correct: whatever they are, a cut leaves a disk.
+/// They trade the score of the cut, which is the L2 stretch that is left plus the weighted length, for time; the
+/// benchmark `cut_defaults` varies each and prints what becomes of both.
+///
+/// `A map` below is that of one cut for one choice of corners, by which the cut is scored.
+struct Cut_numbers
+{
+  // --- simplified copies, on which cuts are found ---
+
+  /// faces of the copy on which cuts are compared at last. More: the stretch of short cuts is overrated less, and every
+  /// score takes longer. A cut found on 4000 faces is worth on the surface what it is worth on the copy, within
+  /// `copy_tolerance`.
+  int decision_faces = 4000;
+
+  /// faces of the copy on which cuts are grown, by a hundred scores and more: most of the time goes there.
+  /// Fewer: the copy loses the features for which a cut is extended.
+  int growth_faces = 1200;
+
+  /// faces of a still simpler copy, where a second cut is grown. Growth ends in one of many local minima: a copy that
+  /// differs ends in another.
+  int simpler_growth_faces = 700;
+
+  /// faces that a copy gets beyond the number aimed at for each hole, and two times for each handle: round each of them
+  /// lie a dozen triangles at least. Fewer: the simplification cannot keep the topology, and there is no copy.
+  int faces_per_loop = 12;
+
+  /// times the faces aimed at: a surface that has no more is not simplified, since what is saved is less than what a
+  /// copy costs in accuracy
+  double least_reduction = 1.25;
+
+  /// times the faces aimed at: of a surface that has more, the shortest edges are collapsed first, in a third of the
+  /// time of collapsing by shape alone
+  double very_fine = 4;
+
+  /// times the faces aimed at: where collapsing the shortest edges ends, and collapsing by shape begins. Fewer is
+  /// faster, and begins to cost shape. Less than `very_fine`.
+  double still_fine = 3;
+
+  // --- the score of a cut ---
+
+  /// choices of corners, spread evenly over a quarter of the border, of which the best is mapped in earnest. Fewer: the
+  /// score depends on where the cut happens to begin.
+  int corner_candidates = 8;
+
+  /// iterations of the stretch iteration by which these choices are compared, each one linear system for each choice.
+  /// One tells good corners from bad ones; the minimizer does the rest.
+  int start_iterations = 1;
+
+  /// steps of the balanced minimizer in a score, at most. Most maps need half of them; a map that is not done is made
+  /// from coarse to fine instead, since its stretch may be twice the least. Fewer: more cuts are scored that slow way.
+  int score_steps = 100;
+
+  /// relative decrease of the energy at which the map of a score is done. A score need not be better than the
+  /// differences that it decides on.
+  double score_tolerance = 1e-3;
+
+  /// times a quick map: what a map from coarse to fine counts for in the work below; measured. More: growth ends
+  /// earlier where maps are slow.
+  int slow_map_work = 5;
+
+  // --- the cuts to begin with, on a closed surface with handles ---
+
+  /// roots from which the shortest cut is sought, at most. The shortest is often not the best; more: more starts are
+  /// scored.
+  int most_roots = 12;
+
+  /// roots however many handles there are
+  int fewest_roots = 2;
+
+  /// roots times handles, between these bounds: with many handles one cut is much like another, and slow to find
+  int roots_times_handles = 120;
+
+  // --- growth ---
+
+  /// terminals that are added in one growth, at most. A bound for cuts that keep paying; patience ends most growths.
+  int most_additions = 10;
+
+  /// terminals added, or dropped, in a row without a lower score, after which growth ends: two terminals may pay
+  /// together where neither does alone
+  int patience = 3;
+
+  /// vertices farthest from the cut, and as many maxima of stretch, that compete to be the next terminal. Each costs a
+  /// map.
+  int candidates = 5;
+
+  /// iterations of the map onto a circle that tells the maxima of stretch. It tells where the surface is long, for
+  /// which it need not be the best.
+  int circle_iterations = 5;
+
+  /// vertices mapped in all scores of one growth, and of the polishing after it, at most: 250 cuts of a copy of 1200
+  /// faces. More: a better cut here and there, for much time.
+  long growth_work = 150000;
+
+  /// the same where there are many loops: see `many_loops`
+  long little_growth_work = 70000;
+
+  /// holes, and twice the handles: where there are as many, one cut is much like another, and one terminal more means
+  /// nothing: growth gets little work, and the best cut is not judged
+  int many_loops = 40;
+
+  /// times that every terminal is tried elsewhere when the grown cut is polished, unless none moved the time before
+  int move_rounds = 2;
+
+  // --- selection and refinement on the copy of `decision_faces` ---
+
+  /// good cuts of different lengths that are carried over: a quick score of a simple copy overrates the stretch, the
+  /// more the shorter the cut
+  int selected = 10;
+
+  /// times the best score: a cut with a worse one is not carried over
+  double far = 1.05;
+
+  /// places round a terminal, besides that along the cut, where it is tried. Each costs a map.
+  int directions = 3;
+
+  /// how far a terminal is moved at first, in units of sqrt(area): five edges of the copy
+  double first_step = 0.12;
+
+  /// how far it is moved at last, in units of sqrt(area): about an edge of the copy, below which there is
+  /// no other place. Steps are halved in between.
+  double last_step = 0.03;
+
+  /// vertices mapped to refine a cut, at most: fifteen cuts of 4000 faces
+  long refinement_work = 30000;
+
+  // --- judgement: corners searched, maps as those delivered ---
+
+  /// best cuts that are judged. Scores err by one or two per cent, which is more than what parts the first few.
+  int judged = 3;
+
+  /// relative decrease of the energy to which the maps are made; of cuts that were judged on the surface itself and
+  /// differ by less the shortest wins
+  double judging_tolerance = 1e-3;
+
+  /// relative: of cuts that were judged on a copy and differ by less the shortest wins; a copy overrates the stretch of
+  /// short cuts by about that
+  double copy_tolerance = 5e-3;
+
+  // --- carrying a cut over to a finer surface ---
+
+  /// pieces of an edge of the cut, at whose ends the nearest vertices of the finer surface are sought: enough to lead
+  /// along the edges of a surface that is a hundred times finer
+  int lift_samples = 8;
+
+  /// how far the cut may be rerouted on either side, in edges of the cut. More: it is shorter, but another way may
+  /// leave more stretch than the cut that was chosen.
+  double lift_band = 2;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_NUMBERS_H

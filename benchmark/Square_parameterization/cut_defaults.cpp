@@ -15,7 +15,8 @@
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/surface_of_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
 
 #include <boost/algorithm/string.hpp>
 #include <boost/program_options.hpp>
@@ -117,8 +118,8 @@ double measure(const Triangle_surface& surface, const Cut& cut)
 {
   try {
     const Patch patch = patch_of_cut(surface, cut);
-    const Map_minimizer minimizer = Balanced_minimization().make_minimizer(patch);
-    const double l2 = search_square_map(patch, minimizer, Bracketing_corner_search(), {}).map.report.l2;
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    const double l2 = search_square_map(patch, *minimizer, Bracketing_corner_search(), {}).map.report.l2;
     return Cut_score_options().score(l2, cut.length(surface) / std::sqrt(surface.area));
   } catch(const Unmappable&) {
     return std::numeric_limits<double>::infinity();
@@ -187,7 +188,9 @@ std::vector<Model> read_models(std::vector<std::string> files)
     Conditioning_options options;
     options.topology = Topology::CONNECTED;
     condition_soup(soup, options);
-    models.push_back({std::filesystem::path(file).stem().string(), surface_of_soup(soup), {}});
+    const Mesh mesh = square_map::make_mesh(soup);
+    const Surface_arrays arrays = read_faces(mesh, faces(mesh), mesh.points()).arrays;
+    models.push_back({std::filesystem::path(file).stem().string(), make_checked_surface(arrays), {}});
   }
   return models;
 }

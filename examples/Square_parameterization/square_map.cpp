@@ -103,12 +103,11 @@ Exit_status run(Command_line line)
 
   const auto condition_start = Clock::now();
   const auto conditioning = condition(soup, line.conditioning_options);
-  if(!line.seams.empty())
-    line.options.seams = read_seams(line.seams, conditioning);
-  if(line.corners)
-    for(int k = 0; k < 4; ++k)
-      (*line.options.corners)[k] = conditioned_vertex((*line.corners)[k], conditioning);
   Mesh mesh = make_mesh(soup);
+  if(!line.seams.empty())
+    line.options.seams = edges_between(read_seams(line.seams, conditioning), mesh);
+  if(line.corners)
+    line.options.corners = mesh_vertices(*line.corners, conditioning);
   seconds.condition = seconds_since(condition_start);
 
   Progress progress;

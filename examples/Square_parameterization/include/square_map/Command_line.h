@@ -161,7 +161,7 @@ inline void set_search(const Given_options& given, Command_line& line)
         {{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", given.walk);
   options.search_options.number_of_threads = given.threads;
   if(given.has("corners")) {
-    line.corners = options.corners = parse_corners(given.corners);
+    line.corners = parse_corners(given.corners);
     line.strategy = "none";
   }
 }

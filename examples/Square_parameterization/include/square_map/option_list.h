@@ -5,6 +5,7 @@
 #define SQUARE_MAP_OPTION_LIST_H
 
 #include "option_values.h"
+#include "read_surface.h"
 
 #include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
 

@@ -160,6 +160,34 @@ inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
   return mesh;
 }
 
+/// the edges of the mesh between pairs of vertices. Throws `Unmappable` where there is none.
+inline std::vector<Mesh::Edge_index> edges_between(const std::vector<std::array<std::size_t, 2>>& pairs,
+                                                   const Mesh& mesh)
+{
+  std::vector<Mesh::Edge_index> edges;
+  for(const auto& [a, b] : pairs) {
+    const auto h = mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b));
+    if(h == Mesh::null_halfedge())
+      throw CGAL_ext::internal::Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                                           "the seam from vertex " + std::to_string(a) + " to vertex " +
+                                               std::to_string(b) + " is not an edge of the surface");
+    edges.push_back(mesh.edge(h));
+  }
+  return edges;
+}
+
+/// the vertices of the mesh that vertices of the file have become; none of its own for one that was dropped
+inline std::array<Mesh::Vertex_index, 4> mesh_vertices(const std::array<std::size_t, 4>& file_vertices,
+                                                       const CGAL_ext::internal::Conditioning_report& conditioning)
+{
+  std::array<Mesh::Vertex_index, 4> result;
+  for(std::size_t k = 0; k < 4; ++k)
+    if(const std::size_t v = conditioned_vertex(file_vertices[k], conditioning);
+       v != CGAL_ext::internal::Conditioning_report::DROPPED)
+      result[k] = Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
+  return result;
+}
+
 } // namespace square_map
 
 #endif // SQUARE_MAP_READ_SURFACE_H

@@ -4,6 +4,7 @@
 #include "closed_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
 
 #include <catch2/catch.hpp>
 

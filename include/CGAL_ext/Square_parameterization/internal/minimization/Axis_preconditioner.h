@@ -9,6 +9,8 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/sparse_pattern.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Number_per_axis.h>
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 #include <array>
 #include <vector>

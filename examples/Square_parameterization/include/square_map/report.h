@@ -6,6 +6,8 @@
 
 #include "Command_line.h"
 
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

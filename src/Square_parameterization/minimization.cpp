@@ -5,5 +5,6 @@
 
 #include <CGAL_ext/Square_parameterization/internal/iteration/edge_weights_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers_impl.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_iteration_minimizer_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation_impl.h>

@@ -137,7 +137,7 @@ TEST_CASE("a vertex stands for each corner that a coarse border leaves out, and 
       REQUIRE(coarse_uv.rows() == static_cast<Eigen::Index>(coarse.patch.border.size()));
       check_border(coarse_uv);
       Multilevel_minimizer::Workspace workspace;
-      const Uv_coordinates map = Multilevel_minimizer(coarse.patch, start_of, {}).minimize(coarse_uv, workspace).uv;
+      const Uv_coordinates map = Multilevel_minimizer(coarse.patch).minimize(coarse_uv, workspace).uv;
       REQUIRE(number_of_flipped_faces(coarse.patch.triangles, map) == 0);
       const auto uv = insert_vertices(fine, coarse, map, removed, 0.3);
       REQUIRE(uv);

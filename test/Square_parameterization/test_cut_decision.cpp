@@ -5,6 +5,7 @@
 #include "opened_surface.h"
 
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
 
 #include <catch2/catch.hpp>
 

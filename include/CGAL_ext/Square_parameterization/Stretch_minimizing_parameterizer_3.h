@@ -6,7 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Hybrid_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Cgal_linear_solver.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_iteration_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/plug_in/parameterize_with.h>
 
 #include <CGAL/Default.h>

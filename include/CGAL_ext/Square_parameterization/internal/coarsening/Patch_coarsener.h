@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/is_good_replacement.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -28,11 +29,12 @@ public:
   /// \param least_shape_kept a triangle may be thin, but not below this share of the shape of the one that it replaces;
   ///        none when the surface need not keep its shape
   /// \param keeps_border indicates whether border vertices stay
-  explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = 0.7, bool keeps_border = true)
+  explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = Minimizer_numbers::SHAPE_KEPT,
+                           bool keeps_border = true)
     : m_fine(fine),
       m_least_shape_kept(least_shape_kept),
-      m_removable_border_vertices(keeps_border ? 0
-                                               : (std::max)(0, static_cast<int>(fine.border.size()) - LEAST_BORDER)),
+      m_removable_border_vertices(
+          keeps_border ? 0 : (std::max)(0, static_cast<int>(fine.border.size()) - Minimizer_numbers::LEAST_BORDER)),
       m_triangles(fine.triangles),
       m_is_alive(fine.triangles.size(), true),
       m_star(fine.points.size()),
@@ -82,8 +84,6 @@ public:
   }
 
 private:
-  static constexpr int LEAST_BORDER = 32; // border vertices: the four corners need room
-
   struct Collapse
   {
     double cost;

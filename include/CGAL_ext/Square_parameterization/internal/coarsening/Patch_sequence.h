@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_coarsener.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/coarse_border.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 
 #include <initializer_list>
 #include <memory>
@@ -72,24 +73,21 @@ public:
   }
 
 private:
-  static constexpr int COARSEST = 8; // interior vertices: few enough for the first map to have no tiny triangles
-  static constexpr int LARGE = 2000; // vertices: a smaller patch costs little as it is
-
   /// none when the patch is small or cannot be made coarser
   std::unique_ptr<const Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept) const
   {
-    constexpr double LEAST_REMOVED = 0.2, LARGEST_BORDER = 0.5; // shares of the interior
     const int border = static_cast<int>(patch.border.size()), interior = patch.number_of_vertices() - border;
-    if(interior <= COARSEST)
+    if(interior <= Minimizer_numbers::COARSEST)
       return nullptr;
-    const bool is_worth_while = patch.number_of_vertices() > LARGE || !keeps_border();
-    const bool keeps = !m_may_coarsen_border || !is_worth_while || border < LARGEST_BORDER * interior;
+    const bool is_worth_while = patch.number_of_vertices() > Minimizer_numbers::LARGE || !keeps_border();
+    const bool keeps =
+        !m_may_coarsen_border || !is_worth_while || border < Minimizer_numbers::LARGEST_BORDER * interior;
     const int removable = keeps ? interior : interior + border;
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
         Patch_coarsener coarsener(patch, least_shape_kept, keeps);
         auto coarse = std::make_unique<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / 2));
-        if(coarse->removals.size() >= LEAST_REMOVED * removable)
+        if(coarse->removals.size() >= Minimizer_numbers::LEAST_REMOVED * removable)
           return coarse;
       } catch(const Unmappable&) {
         // too degenerate to be a patch: the finer one does without

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_INSERT_VERTICES_H
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Vertex_star.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/point_in_kernel.h>
 
@@ -49,8 +50,7 @@ public:
   /// to it, and \p to: at its place by length, or nearer. Returns false when that is lost in rounding.
   bool insert_on_side(int vertex, const std::vector<int>& ring, int from, int to)
   {
-    constexpr int MAXIMUM_HALVINGS = 50;
-    constexpr double LEAST_SHARE = 0.1;
+    constexpr double LEAST_SHARE = Minimizer_numbers::LEAST_SHARE_OF_SIDE;
     m_star.clear(m_uv.row(from));
     for(std::size_t i = 0; i + 1 < ring.size(); ++i)
       add_triangle(vertex, ring[i], ring[i + 1]);
@@ -60,7 +60,7 @@ public:
     // the neighbors may be copies of the same vertex, on the two sides of a seam
     const double length = length_from + length_to;
     double share = length > 0 ? std::clamp(length_from / length, LEAST_SHARE, 1 - LEAST_SHARE) : 0.5;
-    for(int i = 0; i < MAXIMUM_HALVINGS; ++i, share /= 2) {
+    for(int i = 0; i < Minimizer_numbers::MAXIMUM_INSERTION_HALVINGS; ++i, share /= 2) {
       const Eigen::RowVector2d position = m_uv.row(from) + share * side;
       if(std::isfinite(m_star.energy(position))) {
         settle(vertex, position, {side.x() != 0, side.y() != 0});
@@ -79,8 +79,7 @@ private:
 
   void settle(int vertex, Eigen::RowVector2d position, const std::array<bool, 2>& is_free)
   {
-    constexpr int STEPS = 8;
-    for(int i = 0; i < STEPS && m_star.improve(position, is_free); ++i) {
+    for(int i = 0; i < Minimizer_numbers::INSERTION_STEPS && m_star.improve(position, is_free); ++i) {
     }
     m_uv.row(vertex) = position;
   }

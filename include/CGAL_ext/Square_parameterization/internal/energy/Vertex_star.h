@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_VERTEX_STAR_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_VERTEX_STAR_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 #include <array>
@@ -68,18 +69,16 @@ public:
   /// energy, along the axes that are free. Returns false when it stays.
   bool improve(Eigen::RowVector2d& position, const std::array<bool, 2>& is_free)
   {
-    constexpr double SAFETY = 0.8, SUFFICIENT_DECREASE = 1e-4, NEGLIGIBLE = 1e-12;
-    constexpr int MAXIMUM_HALVINGS = 4;
     const Eigen::RowVector2d p = position - m_origin;
     const Derivatives here = derivatives(p);
     const Eigen::RowVector2d step = newton_step(here, is_free);
     const double slope = here.gradient.dot(step);
-    if(!(-slope > NEGLIGIBLE * here.energy))
+    if(!(-slope > Minimizer_numbers::STAR_NEGLIGIBLE * here.energy))
       return false;
-    double length = (std::min)(1., SAFETY * largest_step(step));
-    for(int i = 0; i < MAXIMUM_HALVINGS; ++i, length /= 2) {
+    double length = (std::min)(1., Minimizer_numbers::STAR_SAFETY * largest_step(step));
+    for(int i = 0; i < Minimizer_numbers::MAXIMUM_STAR_HALVINGS; ++i, length /= 2) {
       const Eigen::RowVector2d moved = position + length * step;
-      if(energy(moved) <= here.energy + SUFFICIENT_DECREASE * length * slope) {
+      if(energy(moved) <= here.energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope) {
         position = moved;
         return true;
       }
@@ -145,13 +144,14 @@ private:
 
   static Eigen::RowVector2d newton_step(const Derivatives& d, const std::array<bool, 2>& is_free)
   {
-    constexpr double LEAST_RATIO = 1e-3, SHIFT = 0.05; // of the eigenvalues of the Hessian, to the larger one
     if(!is_free[0] || !is_free[1])
       return {is_free[0] && d.uu > 0 ? -d.gradient.x() / d.uu : 0, is_free[1] && d.vv > 0 ? -d.gradient.y() / d.vv : 0};
     const double mean = (d.uu + d.vv) / 2, half = (d.uu - d.vv) / 2;
     const double radius = std::sqrt(half * half + d.uv * d.uv);
     const double least = mean - radius, largest = mean + radius;
-    const double shift = least < LEAST_RATIO * largest ? SHIFT * largest - least : 0;
+    const double shift = least < Minimizer_numbers::LEAST_EIGENVALUE_RATIO * largest
+                             ? Minimizer_numbers::EIGENVALUE_SHIFT * largest - least
+                             : 0;
     const double uu = d.uu + shift, vv = d.vv + shift, determinant = uu * vv - d.uv * d.uv;
     return {(d.uv * d.gradient.y() - vv * d.gradient.x()) / determinant,
             (d.uv * d.gradient.x() - uu * d.gradient.y()) / determinant};

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_STRETCH_ITERATION_H
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Convex_combination_system.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/repair_flips.h>
@@ -106,8 +107,7 @@ private:
   /// paper's iteration unchanged.
   double exponent(unsigned int iteration) const
   {
-    constexpr double FIRST_EXPONENT = 0.7;
-    return (std::max)(m_options.eta, std::pow(FIRST_EXPONENT, iteration + 1));
+    return (std::max)(m_options.eta, std::pow(Minimizer_numbers::FIRST_EXPONENT, iteration + 1));
   }
 
   bool solve_with_stretch_weights(const Uv_coordinates& border_uv, double eta, Workspace& workspace) const

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_REPAIR_FLIPS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_REPAIR_FLIPS_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/point_in_kernel.h>
@@ -36,9 +37,8 @@ public:
   /// returns whether all triangles are counter-clockwise, by exact arithmetic
   bool operator()()
   {
-    constexpr int MAXIMUM_SWEEPS = 48, SWEEPS_PER_RING = 4;
-    for(int sweep = 0; sweep < MAXIMUM_SWEEPS; ++sweep) {
-      const std::vector<int> vertices = vertices_near_bad_triangles(sweep / SWEEPS_PER_RING);
+    for(int sweep = 0; sweep < Minimizer_numbers::MAXIMUM_REPAIR_SWEEPS; ++sweep) {
+      const std::vector<int> vertices = vertices_near_bad_triangles(sweep / Minimizer_numbers::REPAIR_SWEEPS_PER_RING);
       if(vertices.empty())
         return true;
       for(int v : vertices)

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_preconditioner.h>
@@ -40,14 +41,12 @@ public:
   /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`
   void relax(Uv_coordinates& uv) const
   {
-    constexpr double LEAST_GAIN = 5e-4; // relative
-    constexpr int MAXIMUM_SWEEPS = 200;
     const Free_coordinates is_free = free_coordinates(patch(), uv, is_border_sliding());
     double energy = m_energy(uv);
-    for(int i = 0; i < MAXIMUM_SWEEPS; ++i) {
+    for(int i = 0; i < Minimizer_numbers::MAXIMUM_SWEEPS; ++i) {
       m_sweep(is_free, uv);
       const double reached = m_energy(uv);
-      if(energy - reached < LEAST_GAIN * energy)
+      if(energy - reached < Minimizer_numbers::LEAST_SWEEP_GAIN * energy)
         return;
       energy = reached;
     }
@@ -58,10 +57,9 @@ public:
   ///      iterations and its history, too
   Minimized_map minimize(Minimized_map map, double tolerance, Workspace& workspace) const
   {
-    constexpr std::size_t MEMORY = 8;
     const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
     Minimization_report& report = map.report;
-    Secant_memory memory(MEMORY);
+    Secant_memory memory(Minimizer_numbers::SECANT_PAIRS);
     report.objective = gradient_at(map.uv, is_free, workspace.gradient);
     if(report.history.empty())
       report.history.push_back(report.objective);
@@ -104,9 +102,8 @@ public:
   /// be the largest stretch of all
   void settle(Minimized_map& map) const
   {
-    constexpr int SWEEPS = 5;
     const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
-    for(int i = 0; i < SWEEPS; ++i)
+    for(int i = 0; i < Minimizer_numbers::SETTLING_SWEEPS; ++i)
       m_sweep(is_free, map.uv);
     Uv_coordinates gradient;
     map.report.objective = map.report.history.back() = gradient_at(map.uv, is_free, gradient);
@@ -118,11 +115,15 @@ private:
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
 
   /// far from the minimum the Hessian changes more from step to step
-  static unsigned int lifetime_of_factors(unsigned int iterations) { return iterations <= 8 ? 4 : 8; }
+  static unsigned int lifetime_of_factors(unsigned int iterations)
+  {
+    return iterations <= Minimizer_numbers::EARLY_STEPS ? Minimizer_numbers::EARLY_LIFETIME
+                                                        : Minimizer_numbers::LATE_LIFETIME;
+  }
 
   static bool gains_little(const std::vector<double>& history, double tolerance)
   {
-    constexpr std::size_t STEPS = 5;
+    constexpr std::size_t STEPS = Minimizer_numbers::STEPS_COMPARED;
     return history.size() > STEPS && history[history.size() - 1 - STEPS] - history.back() <= tolerance * history.back();
   }
 
@@ -153,12 +154,10 @@ private:
   /// is none
   std::optional<double> search_line(double energy, double slope, const Uv_coordinates& uv, Workspace& workspace) const
   {
-    constexpr double SUFFICIENT_DECREASE = 1e-4, SAFETY = 0.9;
-    constexpr int MAXIMUM_HALVINGS = 40;
-    double length = (std::min)(1., SAFETY * largest_step(patch(), uv, workspace.direction));
-    for(int i = 0; i < MAXIMUM_HALVINGS; ++i, length /= 2) {
+    double length = (std::min)(1., Minimizer_numbers::STEP_SAFETY * largest_step(patch(), uv, workspace.direction));
+    for(int i = 0; i < Minimizer_numbers::MAXIMUM_STEP_HALVINGS; ++i, length /= 2) {
       workspace.trial = uv + length * workspace.direction;
-      if(m_energy(workspace.trial) <= energy + SUFFICIENT_DECREASE * length * slope)
+      if(m_energy(workspace.trial) <= energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope)
         return length;
     }
     return {};

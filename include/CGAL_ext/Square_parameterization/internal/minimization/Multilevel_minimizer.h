@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_sequence.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/transport_map.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
@@ -46,14 +47,13 @@ public:
     : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING), m_options(options)
   {
     Balanced_minimization coarse_options = options;
-    coarse_options.balance = (std::max)(options.balance, LEAST_COARSE_BALANCE);
-    coarse_options.maximum_iterations = COARSE_ITERATIONS;
+    coarse_options.balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
+    coarse_options.maximum_iterations = Minimizer_numbers::COARSE_ITERATIONS;
     m_coarse_balance = coarse_options.balance;
     m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options));
-    // thin protrusions cannot be shortened without thinner triangles
-    coarsen({0.7, 0.05}, coarse_options);
-    m_warm_level = m_patches.finest_with(LARGEST_WARM_START);
-    m_sketch_level = m_patches.finest_with(LARGEST_SKETCH);
+    coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT}, coarse_options);
+    m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
+    m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
     coarsen({std::nullopt}, coarse_options);
   }
 
@@ -95,7 +95,9 @@ public:
   bool has_sketches() const
   {
     const int vertices = m_patches[0].number_of_vertices();
-    return vertices >= SMALLEST_SKETCHED && 4 * m_patches[m_sketch_level].number_of_vertices() <= vertices;
+    const int sketched = m_patches[m_sketch_level].number_of_vertices();
+    return vertices >= Minimizer_numbers::SMALLEST_SKETCHED &&
+           Minimizer_numbers::LEAST_SKETCH_RATIO * sketched <= vertices;
   }
 
   /// the least energy of one of the coarse patches for the border \p border_uv, by which borders can be compared: what
@@ -129,17 +131,6 @@ public:
   double energy(const Uv_coordinates& uv) const { return Balanced_energy(m_patches[0], m_options.balance)(uv); }
 
 private:
-  // pure L2 stretch tears coarse maps open elsewhere than fine ones; a little balance keeps them alike
-  static constexpr double LEAST_COARSE_BALANCE = 0.1;
-  // a coarse patch is where saddle points, as symmetric meshes have them, are left at little cost
-  static constexpr double COARSE_TOLERANCE = 1e-5;
-  static constexpr unsigned int COARSE_ITERATIONS = 200;
-  static constexpr int LARGEST_WARM_START = 1000; // vertices; above, to transport a map costs more than it saves
-  static constexpr int LARGEST_SKETCH = 2000;     // vertices: enough to tell borders apart
-  static constexpr int SMALLEST_SKETCHED = 8000;  // vertices
-
-  static constexpr double HOPELESS = 1e4; // energy: a map with a stretch of a hundred is hardly ever led out of it
-
   /// how a coarse patch is mapped
   struct Start
   {
@@ -150,7 +141,7 @@ private:
   /// a way from coarse to fine
   struct Descent
   {
-    double largest_energy = HOPELESS;
+    double largest_energy = Minimizer_numbers::HOPELESS;
     bool is_given_up = false;  ///< an energy on the way was larger
     Uv_coordinates warm_start; ///< the map of one of the patches on the way
   };
@@ -205,8 +196,8 @@ private:
   {
     for(; level > to && uv.rows() > 0; --level) {
       m_minimizers[level]->relax(uv);
-      Minimized_map map =
-          m_minimizers[level]->minimize({std::move(uv), {}, {}}, COARSE_TOLERANCE, workspace.levels[level]);
+      Minimized_map map = m_minimizers[level]->minimize({std::move(uv), {}, {}}, Minimizer_numbers::COARSE_TOLERANCE,
+                                                        workspace.levels[level]);
       if(map.report.objective > descent.largest_energy) {
         descent.is_given_up = true;
         return Uv_coordinates();

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_SECANT_MEMORY_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_SECANT_MEMORY_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 #include <cstddef>
@@ -27,9 +28,8 @@ public:
   /// remembers a step and the change of the gradient, unless the curvature along the step is not positive
   void add(const Uv_coordinates& step, const Uv_coordinates& gradient_change)
   {
-    constexpr double LEAST_COSINE = 1e-10;
     const double curvature = dot(step, gradient_change);
-    if(!(curvature > LEAST_COSINE * step.norm() * gradient_change.norm()))
+    if(!(curvature > Minimizer_numbers::LEAST_CURVATURE_COSINE * step.norm() * gradient_change.norm()))
       return;
     if(m_pairs.size() == m_capacity) { // the oldest gives its memory to the newest
       m_pairs.push_back(std::move(m_pairs.front()));

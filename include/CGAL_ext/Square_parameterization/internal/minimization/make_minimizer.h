@@ -5,8 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAKE_MINIMIZER_H
 
 #include <CGAL_ext/Square_parameterization/Minimization.h>
-#include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_iteration_minimizer.h>
 
 #include <memory>
 
@@ -16,11 +15,6 @@ namespace internal {
 /// makes the minimizer that the options ask for. It refers to the patch, which must live as long.
 /// \pre the options are valid
 std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Minimization& minimization);
-
-/// the iteration of Yoshizawa et al.
-/// \param make_solver makes the solver of its linear systems
-std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Stretch_minimization& minimization,
-                                                    Linear_solver_factory make_solver = make_direct_solver);
 
 /// the balanced energy from coarse to fine
 std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Balanced_minimization& minimization);

@@ -6,19 +6,13 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Coarse_to_fine_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Iteration_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 
-#include <utility>
+#include <memory>
+#include <variant>
 
 namespace CGAL_ext {
 namespace internal {
-
-CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer>
-make_minimizer(const Patch& patch, const Stretch_minimization& minimization, Linear_solver_factory make_solver)
-{
-  return std::make_shared<Iteration_minimizer>(patch, minimization, std::move(make_solver));
-}
 
 CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch,
                                                                              const Balanced_minimization& minimization)

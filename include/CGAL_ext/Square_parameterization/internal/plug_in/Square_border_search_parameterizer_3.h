@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PLUG_IN_SQUARE_BORDER_SEARCH_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_iteration_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_patch.h>

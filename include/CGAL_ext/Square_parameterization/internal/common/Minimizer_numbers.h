@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_MINIMIZER_NUMBERS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_MINIMIZER_NUMBERS_H
+
+#include <cstddef>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the numbers of the two minimizers that no option sets, each with its unit, why it is as it is, and what another
+/// value does. Dimensionless unless a unit is named. The numbers that users choose stand in `Balanced_minimization` and
+/// `Stretch_minimization`.
+struct Minimizer_numbers
+{
+  // --- the coarse patches: Patch_sequence, Patch_coarsener, is_good_replacement() ---
+
+  /// interior vertices of a patch that is coarse enough: so few that its first map has no tiny triangles. More: a start
+  /// that is nearer to the fine map, but may be lost in rounding.
+  static constexpr int COARSEST = 8;
+
+  /// vertices above which a coarse border is worth its trouble. Less: small patches lose border vertices, too, though
+  /// they cost little as they are.
+  static constexpr int LARGE = 2000;
+
+  /// share of the vertices that can be removed, of which a coarser patch must lack so many; half of them is the aim.
+  /// Less: many patches that are hardly coarser than the ones before.
+  static constexpr double LEAST_REMOVED = 0.2;
+
+  /// border vertices per interior vertex from which on the border is made coarse, too: what is half border cannot be
+  /// halved otherwise
+  static constexpr double LARGEST_BORDER = 0.5;
+
+  /// border vertices that are left in any case: the four corners need room between them
+  static constexpr int LEAST_BORDER = 32;
+
+  /// share of its shape (height over longest side) that a triangle keeps when a vertex is removed, where that allows a
+  /// coarser patch. Larger: better coarse triangles, and fewer vertices that can go.
+  static constexpr double SHAPE_KEPT = 0.7;
+
+  /// the same where it does not: thin protrusions cannot be shortened without thinner triangles. Larger: patches with
+  /// protrusions stop getting coarser early.
+  static constexpr double LEAST_SHAPE_KEPT = 0.05;
+
+  /// cosine of the angle by which the normal of a triangle may turn when a vertex is removed: 60 degrees. Larger: flatter
+  /// coarse patches that are less coarse.
+  static constexpr double LEAST_NORMAL_COSINE = 0.5;
+
+  /// height over longest side (an equilateral triangle has 0.87) above which any triangle is good
+  static constexpr double GOOD_SHAPE = 0.15;
+
+  // --- putting vertices back: Vertex_insertion ---
+
+  /// steps that a vertex takes to its place: Newton's method settles one vertex in a few. More: slower, to the same map.
+  static constexpr int INSERTION_STEPS = 8;
+
+  /// share of the length between its neighbors by which a border vertex is at least away from either, to begin with
+  static constexpr double LEAST_SHARE_OF_SIDE = 0.1;
+
+  /// halvings of its distance from the neighbor that sees all of its ring: at 2^-50 rounding is reached
+  static constexpr int MAXIMUM_INSERTION_HALVINGS = 50;
+
+  // --- one vertex: Vertex_star ---
+
+  /// share of the way to the first triangle without area that a vertex may go. Nearer to 1: longer steps that end in
+  /// thinner triangles, where the next ones are short.
+  static constexpr double STAR_SAFETY = 0.8;
+
+  /// decrease of the energy promised by the step, relative to the energy of the star, below which the vertex stays: what
+  /// rounding leaves of it is noise
+  static constexpr double STAR_NEGLIGIBLE = 1e-12;
+
+  /// halvings of a step of one vertex. More: vertices move that hardly gain by it; the next sweep visits them anyway.
+  static constexpr int MAXIMUM_STAR_HALVINGS = 4;
+
+  /// least eigenvalue of the Hessian of a star, as a share of the largest, that is taken as it is; a lower one, or a
+  /// negative one, is replaced by `EIGENVALUE_SHIFT` times the largest, for steps along it would be wild
+  static constexpr double LEAST_EIGENVALUE_RATIO = 1e-3;
+  static constexpr double EIGENVALUE_SHIFT = 0.05;
+
+  /// share of the promised decrease that a step must bring (Armijo's rule; Nocedal and Wright, section 3.1, where 1e-4
+  /// is the usual value), of one vertex and of the whole map
+  static constexpr double SUFFICIENT_DECREASE = 1e-4;
+
+  // --- the whole map: Balanced_minimizer ---
+
+  /// decrease of the energy by a sweep, relative, below which an interpolated map is smooth enough to be minimised. Less:
+  /// sweeps that gain less than the minimizer would in the same time.
+  static constexpr double LEAST_SWEEP_GAIN = 5e-4;
+
+  /// sweeps over an interpolated map at most: a bound on the time; large errors need the mesh to move as a whole
+  static constexpr int MAXIMUM_SWEEPS = 200;
+
+  /// sweeps over the map that is delivered, which mend tiny triangles that the energy hardly sees
+  static constexpr int SETTLING_SWEEPS = 5;
+
+  /// pairs that L-BFGS remembers (Nocedal and Wright, section 7.2, say 3 to 20). More: memory and time per step.
+  static constexpr std::size_t SECANT_PAIRS = 8;
+
+  /// cosine of the angle between a step and the change of the gradient, at least, of a pair that is remembered: below,
+  /// the curvature is lost in rounding, and the inverse Hessian would not stay positive definite
+  static constexpr double LEAST_CURVATURE_COSINE = 1e-10;
+
+  /// steps that the factors of the Hessian serve: first `EARLY_LIFETIME`, after `EARLY_STEPS` steps `LATE_LIFETIME`, for
+  /// far from the minimum the Hessian changes more from step to step. Longer: cheaper steps, and more of them.
+  static constexpr unsigned int EARLY_STEPS = 8;
+  static constexpr unsigned int EARLY_LIFETIME = 4;
+  static constexpr unsigned int LATE_LIFETIME = 8;
+
+  /// steps whose common decrease is compared with the tolerance: a single step may gain little by chance
+  static constexpr std::size_t STEPS_COMPARED = 5;
+
+  /// share of the way to the first triangle without area that a step may go; see `STAR_SAFETY`
+  static constexpr double STEP_SAFETY = 0.9;
+
+  /// halvings of a step: at 2^-40 the map no longer changes by more than rounding
+  static constexpr int MAXIMUM_STEP_HALVINGS = 40;
+
+  // --- from coarse to fine: Multilevel_minimizer ---
+
+  /// balance of coarse patches, at least: pure L2 stretch tears coarse maps open elsewhere than fine ones, and a little
+  /// balance keeps them alike
+  static constexpr double LEAST_COARSE_BALANCE = 0.1;
+
+  /// tolerance of coarse patches, relative: there saddle points, as symmetric meshes have them, are left at little cost.
+  /// Larger: some maps stay at a saddle point.
+  static constexpr double COARSE_TOLERANCE = 1e-5;
+
+  /// steps on a coarse patch at most: a bound on the time
+  static constexpr unsigned int COARSE_ITERATIONS = 200;
+
+  /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
+  static constexpr int LARGEST_WARM_START = 1000;
+
+  /// vertices of the patch that is sketched, at most: enough to tell borders apart
+  static constexpr int LARGEST_SKETCH = 2000;
+
+  /// vertices from which on a patch is sketched: below, maps cost little more than sketches
+  static constexpr int SMALLEST_SKETCHED = 8000;
+
+  /// vertices of a patch per vertex of its sketch, at least: else a sketch saves little
+  static constexpr int LEAST_SKETCH_RATIO = 4;
+
+  /// energy of a coarse map above which another start is tried: a map with a stretch of a hundred is hardly ever led out
+  /// of it
+  static constexpr double HOPELESS = 1e4;
+
+  // --- the iteration of Yoshizawa et al.: Stretch_iteration, Flip_repair ---
+
+  /// the exponents of the first iterations are its powers, where these are larger than eta: the first maps are far from
+  /// their limit, and long steps save a quarter of the iterations. Nearer to 1: longer steps for more iterations.
+  static constexpr double FIRST_EXPONENT = 0.7;
+
+  /// sweeps over flat or flipped triangles at most: a bound on the time
+  static constexpr int MAXIMUM_REPAIR_SWEEPS = 48;
+
+  /// sweeps after which one more ring of vertices round these triangles moves: what a ring has no room for needs the next
+  static constexpr int REPAIR_SWEEPS_PER_RING = 4;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_MINIMIZER_NUMBERS_H

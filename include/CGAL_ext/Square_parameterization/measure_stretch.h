@@ -8,6 +8,8 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -38,6 +40,7 @@ template <class TriangleMesh, class VertexUVMap, class VertexPointMap, class Ver
 Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap, VertexPointMap vpm,
                                  VertexStretchMap vertex_stretch)
 {
+  CGAL_precondition(CGAL::is_triangle_mesh(mesh));
   const auto [arrays, vertex_list] = internal::read_faces(mesh, faces(mesh), vpm);
   const auto& [points, triangles, places, border_sides] = arrays;
   std::vector<internal::Flat_triangle> shapes;

@@ -37,6 +37,7 @@ inline void check_settings(const Square_map_settings& settings)
   if(const auto* iteration = std::get_if<Stretch_minimization>(&settings.minimization);
      iteration != nullptr && !iteration->is_valid())
     throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
+  check_corner_search(settings.search);
 }
 
 /// how the surface is cut: with the balance that is minimised, if any, and the threads of the search

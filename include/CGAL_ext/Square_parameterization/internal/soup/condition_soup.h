@@ -41,15 +41,15 @@ struct Conditioning_report
   static constexpr std::size_t DROPPED = static_cast<std::size_t>(-1);
 };
 
-/// drops the faces of all components but the chosen one; returns the numbers that the others had
+/// drops the faces of all components but the chosen one, and their sides; returns the numbers that the others had
 inline std::vector<std::size_t> choose_component(const Conditioning_options& options, Surface_soup& soup,
-                                                 Conditioning_report& report)
+                                                 std::vector<Soup_side>& sides, Conditioning_report& report)
 {
   std::vector<std::size_t> names(soup.faces.size());
   std::iota(names.begin(), names.end(), 0);
   if(!options.component)
     return names;
-  const std::vector<std::vector<std::size_t>> components = components_of(soup);
+  const std::vector<std::vector<std::size_t>> components = components_of(soup, sides);
   if(*options.component >= components.size())
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "there is no component " + std::to_string(*options.component) + ": the surface has " +
@@ -58,7 +58,7 @@ inline std::vector<std::size_t> choose_component(const Conditioning_options& opt
   report.components = components.size();
   report.component = *options.component;
   report.faces_dropped = soup.faces.size() - names.size();
-  keep_component(names, soup);
+  keep_component(names, soup, sides);
   return names;
 }
 
@@ -88,21 +88,27 @@ inline void drop_isolated_vertices(Surface_soup& soup, Conditioning_report& repo
 /// is asked for, turns faces round, and drops isolated vertices. Throws `Unmappable` with a sentence that counts what
 /// is wrong and names the first places by their numbers in the given soup; with `ERROR_WRONG_PARAMETER` when there is
 /// no such component.
+///
+/// Complexity: linear in the number of sides but for sorting those at each vertex and, where polygons are split,
+/// quadratic in the size of each.
 /// \pre every index of a face is that of a point, every coordinate is finite
 inline Conditioning_report condition_soup(Surface_soup& soup, const Conditioning_options& options = {})
 {
   Conditioning_report report;
   check_not_empty(soup);
-  const std::vector<std::size_t> names = choose_component(options, soup, report);
+  std::vector<Soup_side> sides = sides_by_edge(soup); // the one sorted list, which every step uses
+  const std::vector<std::size_t> names = choose_component(options, soup, sides, report);
   check_faces(soup, names, options.triangulate);
-  check_edges(soup);
-  report.faces_reoriented = orient_faces(soup, names);
+  check_edges(sides);
+  report.faces_reoriented = orient_faces(soup, sides, names);
   if(options.triangulate) {
     const std::size_t input_vertices = soup.points.size();
-    report.polygons_triangulated = triangulate_soup(soup);
+    report.polygons_triangulated = triangulate_soup(soup, sides);
     report.vertices_added = soup.points.size() - input_vertices;
+    if(report.polygons_triangulated > 0)
+      sides = sides_by_edge(soup);
   }
-  check_topology(soup, options.topology);
+  check_topology(soup, sides, options.topology);
   drop_isolated_vertices(soup, report);
   return report;
 }

@@ -2,13 +2,12 @@
 //
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
-#include "include/square_map/Command_line.h"
 #include "include/square_map/Output_file.h"
+#include "include/square_map/messages.h"
 #include "include/square_map/report.h"
 
 #include <unistd.h>
 
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <numeric>
@@ -26,45 +25,57 @@ enum Exit_status
   NO_ONE_TO_ONE_MAP = 5
 };
 
-/// a progress line on a terminal
-class Progress : public CGAL_ext::Search_visitor
+/// the files that are written: both are opened first, and take their places together at the end
+class Outputs
 {
 public:
-  void start_search(std::size_t candidates) override { m_candidates = candidates; }
-
-  void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
+  explicit Outputs(const Command_line& line)
   {
-    m_best = (std::min)(m_best, sample.objective);
-    std::cerr << "\r" << ++m_evaluations << " of at most " << m_candidates << " candidates, least objective " << m_best
-              << "   " << std::flush;
+    if(!line.output.empty())
+      m_map = std::make_unique<Output_file>(line.output);
+    if(!line.json.empty() && line.json != "-")
+      m_report = std::make_unique<Output_file>(line.json);
   }
 
-  void end_search(const CGAL_ext::Search_report&) override { std::cerr << '\n'; }
+  void write_map(Job& job)
+  {
+    if(!m_map)
+      return;
+    square_map::write_map(m_map->stream(), job.mesh, job.uv, job.originals, extension_of(job.line.output));
+    m_map->close();
+  }
+
+  void write_report(const Job& job)
+  {
+    if(job.line.json.empty())
+      return;
+    std::ostream& stream = m_report ? static_cast<std::ostream&>(m_report->stream()) : std::cout;
+    // a file name need not be UTF-8
+    stream << make_report(job).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
+    if(!stream)
+      throw Output_error("cannot write the report to '" + job.line.json + "'");
+    if(m_report)
+      m_report->close();
+  }
+
+  void commit()
+  {
+    for(Output_file* file : {m_map.get(), m_report.get()})
+      if(file != nullptr)
+        file->commit();
+  }
 
 private:
-  std::size_t m_candidates = 0, m_evaluations = 0;
-  double m_best = std::numeric_limits<double>::infinity();
+  std::unique_ptr<Output_file> m_map, m_report;
 };
 
-/// refuses a corner, given as a vertex of the file, that is not on the border of the mesh
-void check_corners(const std::array<std::size_t, 4>& corners,
-                   const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh)
+CGAL_ext::internal::Surface_soup read_input(Job& job)
 {
-  for(std::size_t corner : corners) {
-    const std::size_t v = conditioned_vertex(corner, conditioning);
-    if(v >= mesh.number_of_vertices() || !mesh.is_border(Mesh::Vertex_index(v)))
-      throw Usage_error("corner vertex " + std::to_string(corner) + " is not on the border");
-  }
-}
-
-/// per vertex of the uncut mesh and of the copies, the vertex of the uncut mesh
-std::vector<int> originals_of(const CGAL_ext::Square_map_result<Mesh>& result, std::size_t uncut_vertices)
-{
-  std::vector<int> originals(uncut_vertices);
-  std::iota(originals.begin(), originals.end(), 0);
-  for(const auto& [copy, original] : result.copies)
-    originals.push_back(static_cast<int>(original.idx()));
-  return originals;
+  CGAL_ext::internal::Surface_soup soup = read_soup(job.line.input);
+  check_well_formed(soup, job.line.input);
+  job.input_vertices = soup.points.size();
+  job.input_faces = soup.faces.size();
+  return soup;
 }
 
 /// conditions the soup; a component that it does not have is a matter of the command line
@@ -80,100 +91,75 @@ CGAL_ext::internal::Conditioning_report condition(CGAL_ext::internal::Surface_so
   }
 }
 
-/// runs the whole job; problems leave as exceptions, and with them no output file
-Exit_status run(Command_line line)
+/// makes the mesh, and of the vertices of the file that the command line names those of the mesh
+void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
 {
-  typedef std::chrono::steady_clock Clock;
-  const auto seconds_since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  const auto start = Clock::now();
-  Timings seconds;
-
-  CGAL_ext::internal::Surface_soup soup = read_soup(line.input);
-  check_well_formed(soup, line.input);
-  const std::size_t input_vertices = soup.points.size(), input_faces = soup.faces.size();
-  seconds.read = seconds_since(start);
-
-  std::unique_ptr<Output_file> output, report;
-  if(!line.output.empty())
-    output = std::make_unique<Output_file>(line.output);
-  if(!line.json.empty() && line.json != "-")
-    report = std::make_unique<Output_file>(line.json);
-
-  const auto condition_start = Clock::now();
-  const auto conditioning = condition(soup, line.conditioning_options);
-  Mesh mesh = make_mesh(soup);
+  Command_line& line = job.line;
+  job.conditioning = condition(soup, line.conditioning_options);
+  job.mesh = make_mesh(soup);
   if(!line.seams.empty())
-    line.options.seams = edges_between(read_seams(line.seams, conditioning), mesh);
+    line.options.seams = edges_between(read_seams(line.seams, job.conditioning), job.mesh);
   if(line.corners)
-    line.options.corners = mesh_vertices(*line.corners, conditioning);
-  seconds.condition = seconds_since(condition_start);
+    line.options.corners = mesh_vertices(*line.corners, job.conditioning);
+  job.uncut_vertices = job.mesh.number_of_vertices();
+  job.uv = job.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
+}
 
-  Progress progress;
+/// per vertex of the uncut mesh and of the copies, the vertex of the uncut mesh
+std::vector<int> originals_of(const CGAL_ext::Square_map_result<Mesh>& result, std::size_t uncut_vertices)
+{
+  std::vector<int> originals(uncut_vertices);
+  std::iota(originals.begin(), originals.end(), 0);
+  for(const auto& [copy, original] : result.copies)
+    originals.push_back(static_cast<int>(original.idx()));
+  return originals;
+}
+
+/// maps the mesh. Throws for corners that are none; other failures are in the status of the result.
+void map_mesh(Job& job)
+{
+  Command_line& line = job.line;
+  Progress progress(line.minimizer == "optimal" ? "energy" : "stretch");
   if(!line.is_quiet && isatty(STDERR_FILENO) != 0)
     line.options.search_options.visitor = &progress;
-  UV_map uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
-  const auto map_start = Clock::now();
-  const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(line.options));
-  seconds.condition += result.condition_seconds;
-  seconds.cut = result.cut_seconds;
-  seconds.search = result.search_seconds;
-  seconds.final = seconds_since(map_start) - result.cut_seconds - result.condition_seconds - result.search_seconds;
-  if(line.corners && result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER) {
-    check_corners(*line.corners, conditioning, mesh); // names the vertex as the file does
-    throw Usage_error(result.message);
+  job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(line.options));
+  line.options.search_options.visitor = nullptr;
+  if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER) {
+    if(const auto k = job.result.wrong_corner) // the file numbers its vertices otherwise than the mesh
+      throw Usage_error("corner vertex " + std::to_string((*line.corners)[*k]) + " is not on the border");
+    throw Usage_error(job.result.message);
   }
+  job.originals = originals_of(job.result, job.uncut_vertices);
+}
+
+/// runs the whole job; problems leave as exceptions, and with them no output file
+Exit_status run(Command_line command_line)
+{
+  Stopwatch watch;
+  Job job(std::move(command_line));
+  const CGAL_ext::Square_map_result<Mesh>& result = job.result;
+  CGAL_ext::internal::Surface_soup soup = read_input(job);
+  job.seconds.read = watch.lap();
+  Outputs outputs(job.line);
+  make_mesh_of(std::move(soup), job);
+  const double mesh_seconds = watch.lap();
+  map_mesh(job);
+  job.seconds.condition = mesh_seconds + result.condition_seconds;
+  job.seconds.cut = result.cut_seconds;
+  job.seconds.search = result.search_seconds;
+  job.seconds.final = watch.lap() - result.cut_seconds - result.condition_seconds - result.search_seconds;
   if(result.status != CGAL::Surface_mesh_parameterization::OK) {
     std::cerr << "square_map: " << result.message << '\n';
     return result.search.evaluations == 0 ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
-
-  const auto write_start = Clock::now();
-  const std::vector<int> originals = originals_of(result, soup.points.size());
-  if(output) {
-    write_map(output->stream(), mesh, uv, originals, extension_of(line.output));
-    output->close();
-  }
-  seconds.write = seconds_since(write_start);
-  seconds.total = seconds_since(start);
-  if(!line.json.empty()) {
-    const auto json = make_report(line, input_vertices, input_faces, conditioning, mesh, result, originals, seconds);
-    std::ostream& stream = report ? static_cast<std::ostream&>(report->stream()) : std::cout;
-    // a file name need not be UTF-8
-    stream << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
-    if(!stream)
-      throw Output_error("cannot write the report to '" + line.json + "'");
-  }
-  if(report)
-    report->close();
-  for(const auto& file : {output.get(), report.get()})
-    if(file != nullptr)
-      file->commit();
-  if(!line.is_quiet) {
-    if(conditioning.components > 1)
-      std::cerr << "component " << conditioning.component << " of " << conditioning.components << " was kept, "
-                << conditioning.faces_dropped << " faces of the others were dropped\n";
-    if(conditioning.polygons_triangulated > 0)
-      std::cerr << conditioning.polygons_triangulated << " polygons were split into triangles\n";
-    if(conditioning.vertices_added > 0)
-      std::cerr << conditioning.vertices_added << " vertices were added in polygons that no diagonal could split\n";
-    if(conditioning.faces_reoriented > 0)
-      std::cerr << conditioning.faces_reoriented << " faces were turned round to agree with their neighbors\n";
-    if(conditioning.vertices_dropped > 0)
-      std::cerr << conditioning.vertices_dropped
-                << (conditioning.components > 1 ? " vertices without a kept face" : " isolated vertices")
-                << " were dropped\n";
-    if(result.cut.seam_edges > 0)
-      std::cerr << "cut along " << result.cut.seam_edges << " edges, " << result.cut.cut_length << " sqrt(area) long\n";
-    if(result.degenerate_faces > 0)
-      std::cerr << result.degenerate_faces << " faces without area were mapped as if they were a little wide\n";
-    if(result.border_edges_split > 0)
-      std::cerr << "the border was too short for four corners: an edge of it was split\n";
-    if(result.chords_split > 0)
-      std::cerr << result.chords_split << " chords were split\n";
-    std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << result.search.best_candidate << ", "
-              << result.search.evaluations << " evaluated, " << seconds.total << " s\n";
+  outputs.write_map(job);
+  job.seconds.write = watch.lap();
+  job.seconds.total = watch.total();
+  outputs.write_report(job);
+  outputs.commit();
+  if(!job.line.is_quiet) {
+    tell_conditioning(job.conditioning);
+    tell_map(result, job.seconds.total);
   }
   return DONE;
 }

@@ -57,6 +57,103 @@ TEST_CASE("unknown options and names and numbers out of range are refused")
                   BAD_COMMAND_LINE);
 }
 
+TEST_CASE("a number out of range is refused, and never moved into it")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  const std::vector<std::pair<Arguments, std::string>> bad{
+      {{"--strategy", "step-sampling", "--step", "-1"}, "--step must be a number from 0"},
+      {{"--strategy", "step-sampling", "--step", "1000001"}, "--step must be a number from 0 to 1000000"},
+      {{"--strategy", "step-sampling", "--step", "2.5"}, "--step"},
+      {{"--strategy", "hybrid", "--interval", "-1"}, "--interval must be a number from 0"},
+      {{"--strategy", "hybrid", "--interval", "99999999999"}, "--interval"},
+      {{"--strategy", "particle-swarm", "--seed", "-1"}, "--seed must be a number from 0"},
+      {{"--strategy", "particle-swarm", "--seed", "1000001"}, "--seed must be a number from 0 to 1000000"},
+      {{"--patience", "1000001"}, "--patience must be a number from 0 to 1000000"},
+      {{"--threads", "1000001"}, "--threads must be a number from 0 to 1000000"},
+      {{"--eta", "1.0000001"}, "--eta must be above 0 and at most 1"},
+      {{"--balance", "1.0000001"}, "--balance must be from 0 to 1"},
+      {{"--cut-weight", "-0.001"}, "--cut-weight and --max-cut-length must be numbers, 0 or more"},
+      {{"--cut-weight", "nan"}, "--cut-weight and --max-cut-length must be numbers, 0 or more"},
+      {{"--max-cut-length", "-1"}, "--cut-weight and --max-cut-length must be numbers, 0 or more"},
+      {{"--max-cut-length", "nan"}, "--cut-weight and --max-cut-length must be numbers, 0 or more"},
+      {{"--component", "-1"}, "--component"},
+      {{"--component", "1"}, "no component 1"}};
+  for(const auto& [options, words] : bad)
+    check_refusal(folder, Arguments{input, "-o", folder / "map.obj"} + options, BAD_COMMAND_LINE, words);
+}
+
+TEST_CASE("an option without an effect beside the others is refused, with its default value, too")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), seams = folder.add("seams.txt", "8 9\n");
+  const std::vector<long> b = border_of(small.faces);
+  const Arguments corners{"--corners", corner_option({b[0], b[3], b[6], b[9]})}, cut{"--seams", seams};
+  const std::vector<std::pair<Arguments, std::string>> bad{
+      // numbers of a strategy that is not used: another is given, or is the default
+      {{"--step", "2"}, "--step goes with --strategy step-sampling"},
+      {{"--step", "0"}, "--step goes with --strategy step-sampling"},
+      {{"--step", "2", "--strategy", "hybrid"}, "--step goes with --strategy step-sampling"},
+      {{"--step", "2", "--preset", "paper"}, "--step goes with --strategy step-sampling"},
+      {{"--interval", "2"}, "--interval goes with --strategy hybrid"},
+      {{"--interval", "0"}, "--interval goes with --strategy hybrid"},
+      {{"--interval", "2", "--minimizer", "iterative", "--strategy", "bracketing"},
+       "--interval goes with --strategy hybrid"},
+      {{"--seed", "1"}, "--seed goes with --strategy particle-swarm"},
+      {{"--seed", "0"}, "--seed goes with --strategy particle-swarm"},
+      {{"--seed", "1", "--strategy", "step-sampling"}, "--seed goes with --strategy particle-swarm"},
+      // what searches corners, beside corners
+      {corners + Arguments{"--strategy", "hybrid"}, "--strategy has no effect beside --corners"},
+      {corners + Arguments{"--strategy", "none"}, "--strategy has no effect beside --corners"},
+      {corners + Arguments{"--corner-rule", "author"}, "--corner-rule has no effect beside --corners"},
+      {corners + Arguments{"--corner-rule", "nearest"}, "--corner-rule has no effect beside --corners"},
+      {corners + Arguments{"--walk", "clockwise"}, "--walk has no effect beside --corners"},
+      {corners + Arguments{"--walk", "counter-clockwise"}, "--walk has no effect beside --corners"},
+      {corners + Arguments{"--step", "2"}, "--step has no effect beside --corners"},
+      {corners + Arguments{"--interval", "2"}, "--interval has no effect beside --corners"},
+      {corners + Arguments{"--seed", "2"}, "--seed has no effect beside --corners"},
+      // what chooses a cut, where it is given, short, or none
+      {cut + Arguments{"--cut", "best"}, "--cut has no effect beside --seams"},
+      {cut + Arguments{"--cut", "none"}, "--cut has no effect beside --seams"},
+      {cut + Arguments{"--cut-weight", "0.05"}, "--cut-weight has no effect beside --seams"},
+      {cut + Arguments{"--max-cut-length", "2"}, "--max-cut-length has no effect beside --seams"},
+      {cut + Arguments{"--cut-disk"}, "--cut-disk has no effect beside --seams"},
+      {{"--cut", "none", "--cut-weight", "0.05"}, "--cut-weight goes with --cut best"},
+      {{"--cut", "shortest", "--cut-weight", "0.1"}, "--cut-weight goes with --cut best"},
+      {{"--cut", "none", "--max-cut-length", "2"}, "--max-cut-length goes with --cut best"},
+      {{"--cut", "shortest", "--max-cut-length", "2"}, "--max-cut-length goes with --cut best"},
+      {{"--cut", "none", "--cut-disk"}, "--cut-disk goes with --cut best"},
+      {{"--cut", "shortest", "--cut-disk"}, "--cut-disk goes with --cut best"},
+      // what only the optimal minimizer has
+      {{"--minimizer", "iterative", "--balance", "0.3"}, "--balance goes with --minimizer optimal"},
+      {{"--minimizer", "iterative", "--border", "fixed"}, "--border goes with --minimizer optimal"},
+      {{"--preset", "paper", "--border", "fixed"}, "--border goes with --minimizer optimal"},
+      {{"--preset", "paper", "--balance", "0.3"}, "--balance goes with --minimizer optimal"}};
+  for(const auto& [options, words] : bad)
+    check_refusal(folder, Arguments{input, "-o", folder / "map.obj"} + options, BAD_COMMAND_LINE, words);
+}
+
+TEST_CASE("each of these options is taken where it has an effect, also with its default value")
+{
+  const std::vector<long> b = border_of(small.faces);
+  const Arguments corners{"--corners", corner_option({b[0], b[3], b[6], b[9]})};
+  const std::vector<Arguments> good{
+      {"--strategy", "step-sampling", "--step", "0"},
+      {"--strategy", "hybrid", "--interval", "0"},
+      {"--minimizer", "iterative", "--interval", "2"}, // hybrid is its default
+      {"--preset", "paper", "--interval", "2"},
+      {"--strategy", "particle-swarm", "--seed", "0"},
+      {"--strategy", "none", "--walk", "clockwise", "--corner-rule", "author"},
+      {"--preset", "paper", "--minimizer", "optimal", "--balance", "0.3", "--border", "fixed"},
+      {"--cut", "best", "--cut-weight", "0.05", "--max-cut-length", "2", "--cut-disk"},
+      {"--cut-weight", "0", "--max-cut-length", "inf"},
+      {"--preset", "paper", "--walk", "clockwise", "--eta", "0.5", "--patience", "1", "--weights", "uniform"},
+      corners + Arguments{"--minimizer", "iterative", "--eta", "1", "--patience", "0", "--weights", "mean-value"},
+      corners + Arguments{"--preset", "paper", "--minimizer", "optimal", "--eta", "0.5"}};
+  for(const Arguments& options : good)
+    check_map(small, options);
+}
+
 TEST_CASE("an output that cannot be written is refused")
 {
   const Temporary_folder folder;

@@ -8,6 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include <map>
+#include <tuple>
+#include <utility>
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using namespace CGAL_ext::internal;
@@ -432,4 +434,57 @@ TEST_CASE("polygons are refused unless they are to be split, and when they repea
   CHECK_THAT(refusal(soup_of(5, {{0, 1, 2, 3}, {2, 1, 4, 2}}), SMP::ERROR_NON_TRIANGULAR_MESH, triangulation()),
              Contains("1 face that repeats a vertex (face 1)"));
   CHECK_THAT(refusal(soup_of(4, Faces(9, {0, 1, 2, 3})), SMP::ERROR_NON_TRIANGULAR_MESH), Contains("--triangulate"));
+}
+
+TEST_CASE("a polygon that repeats a vertex is found at any length, wherever the vertex is")
+{
+  for(std::size_t n : {4, 8, 9, 40})
+    for(std::size_t first = 0; first < n; ++first)
+      for(std::size_t second = first + 1; second < n; ++second) {
+        std::vector<std::size_t> polygon(n);
+        for(std::size_t k = 0; k < n; ++k)
+          polygon[k] = n - 1 - k;
+        CHECK_FALSE(repeats_vertex(polygon));
+        polygon[second] = polygon[first];
+        CHECK(repeats_vertex(polygon));
+      }
+}
+
+TEST_CASE("the list of sides stays that of the soup when faces are dropped and turned round")
+{
+  Random_numbers random(7);
+  Faces faces;
+  for(std::size_t i = 0; i < 12; ++i) // a strip of polygons of 4 to 7 corners, and a triangle before each
+    faces.push_back({30 + 3 * i, 31 + 3 * i, 32 + 3 * i});
+  std::size_t inner = 66;
+  for(std::size_t i = 0; i < 12; ++i) {
+    std::vector<std::size_t> polygon{2 * i};
+    for(int extra = random.below(4); extra > 0; --extra)
+      polygon.push_back(inner++);
+    polygon.insert(polygon.end(), {2 * i + 2, 2 * i + 3, 2 * i + 1});
+    std::rotate(polygon.begin(), polygon.begin() + random.below(4), polygon.end());
+    if(i % 3 == 0)
+      std::reverse(polygon.begin(), polygon.end());
+    faces.push_back(polygon);
+  }
+  Surface_soup soup = soup_of(inner, faces);
+  std::vector<Soup_side> sides = sides_by_edge(soup);
+  const auto check_sides = [&] {
+    const std::vector<Soup_side> expected = sides_by_edge(soup);
+    REQUIRE(sides.size() == expected.size());
+    for(std::size_t i = 0; i < sides.size(); ++i) {
+      CHECK(std::tie(sides[i].low, sides[i].high, sides[i].face, sides[i].corner) ==
+            std::tie(expected[i].low, expected[i].high, expected[i].face, expected[i].corner));
+      const auto& face = soup.faces[sides[i].face];
+      const auto k = static_cast<std::size_t>(sides[i].corner);
+      CHECK(std::minmax({face[k], face[(k + 1) % face.size()]}) == std::pair(sides[i].low, sides[i].high));
+    }
+  };
+  const auto components = components_of(soup, sides);
+  REQUIRE(components.size() == 13);
+  keep_component(components.front(), soup, sides);
+  REQUIRE(soup.faces.size() == 12);
+  check_sides();
+  CHECK(orient_faces(soup, sides, components.front()) == 4);
+  check_sides();
 }

@@ -13,6 +13,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@ struct Square_map_report
   /// `OK`, or why there is no map
   CGAL::Surface_mesh_parameterization::Error_code status = CGAL::Surface_mesh_parameterization::OK;
   std::string message;                ///< one sentence that names the condition and the place; empty on `OK`
+  std::optional<int> wrong_corner;    ///< of given corners the first, 0 to 3, that is not on the border
   Cut_report cut;                     ///< without seams for a disk that stays whole
   std::size_t border_edges_split = 0; ///< one when the border had three edges: a square needs four
   std::size_t chords_split = 0;       ///< number of edges that were split at their midpoint

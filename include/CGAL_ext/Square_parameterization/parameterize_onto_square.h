@@ -33,7 +33,7 @@ template <class TriangleMesh>
 Chosen_elements
 chosen_elements(const Square_map_options<TriangleMesh>& options,
                 const std::vector<typename Square_map_options<TriangleMesh>::vertex_descriptor>& vertices,
-                const TriangleMesh& mesh)
+                const TriangleMesh& mesh, Square_map_report& report)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   Chosen_elements chosen;
@@ -49,8 +49,10 @@ chosen_elements(const Square_map_options<TriangleMesh>& options,
   chosen.corners.emplace();
   for(int k = 0; k < 4; ++k) {
     const auto found = index.find((*options.corners)[k]);
-    if(found == index.end())
+    if(found == index.end()) {
+      report.wrong_corner = k;
       throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "a corner is not a vertex of a face of the mesh");
+    }
     (*chosen.corners)[k] = found->second;
   }
   return chosen;
@@ -155,8 +157,8 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     const TriangleMesh& const_mesh = mesh;
     auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
     const std::size_t uncut = vertex_list.size();
-    const internal::Mapped_surface mapped =
-        internal::map_surface(arrays, internal::chosen_elements(options, vertex_list, const_mesh), options, result);
+    const internal::Mapped_surface mapped = internal::map_surface(
+        arrays, internal::chosen_elements(options, vertex_list, const_mesh, result), options, result);
 
     internal::apply_edits(mapped.edits, mesh, vpm, vertex_list);
     for(std::size_t k = 0; k < mapped.edits.copies.size(); ++k)

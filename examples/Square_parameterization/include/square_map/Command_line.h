@@ -4,7 +4,7 @@
 #ifndef SQUARE_MAP_COMMAND_LINE_H
 #define SQUARE_MAP_COMMAND_LINE_H
 
-#include "option_list.h"
+#include "option_effects.h"
 #include "write_map.h"
 
 #include <filesystem>
@@ -138,9 +138,7 @@ inline void set_surface(const Given_options& given, Command_line& line)
   if(cut.mode != Cut_mode::NONE || !line.seams.empty())
     line.conditioning_options.topology = CGAL_ext::internal::Topology::CONNECTED;
   if(!cut.is_valid())
-    throw Usage_error("--cut-weight and --max-cut-length must not be negative");
-  if(cut.cuts_disk && (!cut.may_cut_disk() || !line.seams.empty()))
-    throw Usage_error("--cut-disk goes with --cut best, and without --seams");
+    throw Usage_error("--cut-weight and --max-cut-length must be numbers, 0 or more");
 }
 
 /// how corners are searched
@@ -179,6 +177,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   set_iteration(given, line.options);
   set_surface(given, line);
   set_search(given, line);
+  check_effects(given, line);
   check_files(line);
   return line;
 }

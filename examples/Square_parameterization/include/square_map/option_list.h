@@ -40,7 +40,8 @@ struct Given_options
   Tuning tuning;
   boost::program_options::variables_map all;
 
-  bool has(const char* option) const { return all.count(option) != 0; }
+  /// indicates whether the user gave the option; a switch has a value in any case
+  bool has(const char* option) const { return all.count(option) != 0 && !all[option].defaulted(); }
 };
 
 /// the options; what is given goes to \p given, or straight to \p line
@@ -59,7 +60,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("balance", po::value(&given.balance)->value_name("X"),
       "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
   add("border", po::value(&given.border)->value_name("NAME"),
-      "fixed or sliding; default fixed for iterative, sliding for optimal");
+      "optimal: fixed or sliding (default); the border of iterative is fixed");
   add("component", po::value(&given.component)->value_name("K"),
       "map one connected component: largest, or a number; 0 has most faces, ties go to the first face");
   add("triangulate", po::bool_switch(&line.conditioning_options.triangulate), "split faces that are no triangles");

@@ -86,19 +86,20 @@ inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, cons
   using CGAL_ext::internal::NAMED_PLACES;
   std::size_t infinite = 0, short_faces = 0, out_of_range = 0;
   std::vector<std::string> infinite_places, short_places, out_of_range_places;
+  const auto face_name = [](std::size_t f) { return "face " + std::to_string(f); };
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(!soup.points[v].allFinite() && ++infinite <= NAMED_PLACES)
       infinite_places.push_back("vertex " + std::to_string(v));
   for(std::size_t f = 0; f < soup.faces.size(); ++f) {
     const auto& face = soup.faces[f];
-    const std::string name = "face " + std::to_string(f);
     if(face.size() < 3 && ++short_faces <= NAMED_PLACES)
-      short_places.push_back(name + " has " + std::to_string(face.size()));
+      short_places.push_back(face_name(f) + " has " + std::to_string(face.size()));
     const auto missing =
         std::find_if(face.begin(), face.end(), [&soup](std::size_t v) { return v >= soup.points.size(); });
     if(missing != face.end() && ++out_of_range <= NAMED_PLACES) // a negative number was read as a large one
-      out_of_range_places.push_back(name + " names vertex " + std::to_string(static_cast<std::ptrdiff_t>(*missing)) +
-                                    " of " + std::to_string(soup.points.size()));
+      out_of_range_places.push_back(face_name(f) + " names vertex " +
+                                    std::to_string(static_cast<std::ptrdiff_t>(*missing)) + " of " +
+                                    std::to_string(soup.points.size()));
   }
   CGAL_ext::internal::Complaint complaint;
   complaint.add(infinite, "vertex has a coordinate that is not finite", "vertices have a coordinate that is not finite",

@@ -4,7 +4,7 @@
 #ifndef SQUARE_MAP_REPORT_H
 #define SQUARE_MAP_REPORT_H
 
-#include "Command_line.h"
+#include "Job.h"
 
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
 
@@ -16,12 +16,6 @@
 
 namespace square_map {
 
-/// seconds spent in each part of the run
-struct Timings
-{
-  double read = 0, condition = 0, cut = 0, search = 0, final = 0, write = 0, total = 0;
-};
-
 /// a number for JSON, which has no infinity: null then
 inline nlohmann::ordered_json number(double x)
 {
@@ -30,14 +24,12 @@ inline nlohmann::ordered_json number(double x)
 
 /// the corners as vertices of the file, as `--corners` takes them: copies count as their original; null for a vertex
 /// that was added
-/// \param originals per vertex of the cut mesh, the vertex of the conditioned one; vertices beyond were added
-inline nlohmann::ordered_json input_corners(const CGAL_ext::Square_map_result<Mesh>& result,
-                                            const std::vector<int>& originals,
-                                            const CGAL_ext::internal::Conditioning_report& conditioning)
+inline nlohmann::ordered_json input_corners(const Job& job)
 {
   nlohmann::ordered_json corners = nlohmann::ordered_json::array();
-  for(Mesh::Vertex_index corner : result.corners) {
-    const auto& kept = conditioning.new_index;
+  for(Mesh::Vertex_index corner : job.result.corners) {
+    const std::vector<std::size_t>& kept = job.conditioning.new_index;
+    const std::vector<int>& originals = job.originals;
     const auto found = corner.idx() < originals.size()
                            ? std::find(kept.begin(), kept.end(), static_cast<std::size_t>(originals[corner.idx()]))
                            : kept.end();
@@ -47,64 +39,83 @@ inline nlohmann::ordered_json input_corners(const CGAL_ext::Square_map_result<Me
   return corners;
 }
 
-/// the report of a run that made a map
-/// \param originals see `input_corners()`
-inline nlohmann::ordered_json make_report(const Command_line& line, std::size_t input_vertices, std::size_t input_faces,
-                                          const CGAL_ext::internal::Conditioning_report& conditioning, const Mesh& mesh,
-                                          const CGAL_ext::Square_map_result<Mesh>& result,
-                                          const std::vector<int>& originals, const Timings& seconds)
+/// what was made of the file before it was mapped
+inline nlohmann::ordered_json conditioning_report(const Job& job)
 {
-  const CGAL_ext::Cut_report& cut = result.cut;
-  nlohmann::ordered_json json;
-  json["input"] = {{"file", line.input}, {"vertices", input_vertices}, {"faces", input_faces}};
-  json["conditioned"] = {{"vertices", mesh.number_of_vertices()},
-                         {"faces", mesh.number_of_faces()},
-                         {"border_edges", result.border_edges},
-                         {"seam_edges", cut.seam_edges},
-                         {"cut_length", cut.cut_length},
-                         {"border_edges_split", result.border_edges_split},
-                         {"chords_split", result.chords_split},
-                         {"degenerate_faces", result.degenerate_faces},
-                         {"components", conditioning.components},
-                         {"component", conditioning.component},
-                         {"vertices_dropped", conditioning.vertices_dropped},
-                         {"faces_dropped", conditioning.faces_dropped},
-                         {"polygons_triangulated", conditioning.polygons_triangulated},
-                         {"vertices_added", conditioning.vertices_added},
-                         {"faces_reoriented", conditioning.faces_reoriented}};
+  const CGAL_ext::internal::Conditioning_report& conditioning = job.conditioning;
+  const CGAL_ext::Square_map_result<Mesh>& result = job.result;
+  return {{"vertices", job.mesh.number_of_vertices()},
+          {"faces", job.mesh.number_of_faces()},
+          {"border_edges", result.border_edges},
+          {"seam_edges", result.cut.seam_edges},
+          {"cut_length", result.cut.cut_length},
+          {"border_edges_split", result.border_edges_split},
+          {"chords_split", result.chords_split},
+          {"degenerate_faces", result.degenerate_faces},
+          {"components", conditioning.components},
+          {"component", conditioning.component},
+          {"vertices_dropped", conditioning.vertices_dropped},
+          {"faces_dropped", conditioning.faces_dropped},
+          {"polygons_triangulated", conditioning.polygons_triangulated},
+          {"vertices_added", conditioning.vertices_added},
+          {"faces_reoriented", conditioning.faces_reoriented}};
+}
+
+/// how the cut was chosen
+inline nlohmann::ordered_json cut_report(const CGAL_ext::Cut_report& cut)
+{
   static const char* const step_names[] = {"initial", "added", "dropped", "moved", "judged"};
-  json["cut"] = {{"decision_faces", cut.decision_faces},
-                 {"score", number(cut.score)},
-                 {"l2", number(cut.stretch)},
-                 {"history", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"decision_faces", cut.decision_faces},
+                              {"score", number(cut.score)},
+                              {"l2", number(cut.stretch)},
+                              {"history", nlohmann::ordered_json::array()}};
   for(const CGAL_ext::Cut_step& step : cut.history)
-    json["cut"]["history"].push_back({{"step", step_names[step.kind]},
-                                      {"score", number(step.score)},
-                                      {"l2", number(step.stretch)},
-                                      {"cut_length", step.length}});
-  json["strategy"] = line.strategy;
-  json["minimizer"] = line.minimizer;
-  json["candidates"] = result.search.candidates;
-  json["evaluations"] = result.search.evaluations;
-  json["sketches"] = result.search.sketches;
+    json["history"].push_back({{"step", step_names[step.kind]},
+                               {"score", number(step.score)},
+                               {"l2", number(step.stretch)},
+                               {"cut_length", step.length}});
+  return json;
+}
+
+/// the map that is delivered
+inline nlohmann::ordered_json best_map_report(const Job& job)
+{
+  const CGAL_ext::Square_map_result<Mesh>& result = job.result;
   std::vector<std::size_t> corners;
   for(Mesh::Vertex_index v : result.corners)
     corners.push_back(v.idx());
-  json["best"] = {{"candidate", result.search.best_candidate},
-                  {"corners", corners}, // of the cut mesh
-                  {"input_corners", input_corners(result, originals, conditioning)},
-                  {"l2", result.measures.l2},
-                  {"linf", result.measures.linf},
-                  {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
-                  {"energy", result.search.best_objective},
-                  {"flipped", result.measures.flipped_faces},
-                  {"iterations", result.minimization.iterations}};
+  return {{"candidate", result.search.best_candidate},
+          {"corners", corners}, // of the cut mesh
+          {"input_corners", input_corners(job)},
+          {"l2", result.measures.l2},
+          {"linf", result.measures.linf},
+          {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
+          {"energy", result.search.best_objective},
+          {"flipped", result.measures.flipped_faces},
+          {"iterations", result.minimization.iterations}};
+}
+
+/// the report of a run that made a map
+inline nlohmann::ordered_json make_report(const Job& job)
+{
+  const CGAL_ext::Search_report& search = job.result.search;
+  const Timings& seconds = job.seconds;
+  nlohmann::ordered_json json;
+  json["input"] = {{"file", job.line.input}, {"vertices", job.input_vertices}, {"faces", job.input_faces}};
+  json["conditioned"] = conditioning_report(job);
+  json["cut"] = cut_report(job.result.cut);
+  json["strategy"] = job.line.strategy;
+  json["minimizer"] = job.line.minimizer;
+  json["candidates"] = search.candidates;
+  json["evaluations"] = search.evaluations;
+  json["sketches"] = search.sketches;
+  json["best"] = best_map_report(job);
   json["curve"] = nlohmann::ordered_json::array();
-  for(const auto& sample : result.search.curve)
+  for(const auto& sample : search.curve)
     json["curve"].push_back(
         {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.objective)}});
-  json["threads"] = CGAL_ext::internal::number_of_search_threads(line.options.search_options.number_of_threads,
-                                                                 static_cast<int>(mesh.number_of_vertices()));
+  json["threads"] = CGAL_ext::internal::number_of_search_threads(job.line.options.search_options.number_of_threads,
+                                                                 static_cast<int>(job.mesh.number_of_vertices()));
   json["seconds"] = {{"read", seconds.read},     {"condition", seconds.condition}, {"cut", seconds.cut},
                      {"search", seconds.search}, {"final", seconds.final},         {"write", seconds.write},
                      {"total", seconds.total}};

@@ -66,15 +66,17 @@ inline std::vector<int> border_places(int v, const Patch& patch, const Surface_e
 /// positions in the border loop of four vertices of the surface. Throws `Unmappable` when one is not on the border, and
 /// when they are not distinct and in counter-clockwise order.
 inline Corners border_positions(const std::array<int, 4>& corners, const Surface_arrays& surface, const Patch& patch,
-                                const Surface_edits& edits)
+                                const Surface_edits& edits, Square_map_report& report)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   std::array<std::vector<int>, 4> places;
   for(int k = 0; k < 4; ++k) {
     places[k] = border_places(corners[k], patch, edits, static_cast<int>(surface.points.size()));
-    if(places[k].empty())
+    if(places[k].empty()) {
+      report.wrong_corner = k;
       throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
                        "corner vertex " + std::to_string(surface.place(corners[k])) + " is not on the border");
+    }
   }
   const std::optional<Corners> positions = place_corners(patch.border_lengths, places);
   if(!positions)
@@ -123,7 +125,7 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   report.degenerate_faces = patch.degenerate_faces.size();
   std::optional<Corners> corners;
   if(chosen.corners)
-    corners = border_positions(*chosen.corners, mesh, patch, disk.edits);
+    corners = border_positions(*chosen.corners, mesh, patch, disk.edits, report);
   const auto minimizer = make_minimizer(patch, settings.minimization);
   const auto search_start = Clock::now();
   report.condition_seconds = seconds_between(condition_start, search_start);

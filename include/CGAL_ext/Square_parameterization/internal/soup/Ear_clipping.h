@@ -20,6 +20,9 @@ namespace internal {
 /// and contain no other vertex, seen along the normal of the polygon. When there is none, as for polygons that are flat
 /// or meet themselves, the best of the others: triangles may then overlap, but they make a disk in any case.
 ///
+/// CGAL's `triangulate_polygons()` does not know which diagonals are edges of other faces already, which would get a
+/// third face, and leaves polygons that it cannot split: ours splits every one.
+///
 /// Complexity: quadratic in the number of vertices.
 class Ear_clipping
 {

@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -28,18 +30,36 @@ struct Soup_side
   int corner;
 };
 
-/// the sides of all faces, those of one edge together
-inline std::vector<Soup_side> sides_by_edge(const std::vector<std::vector<std::size_t>>& faces)
+/// the sides of all faces: those of one edge together, edges by their lower and then by their higher vertex, the sides of
+/// an edge by their faces.
+///
+/// They are put into buckets by their lower vertex first, for few sides begin at one: linear in the number of sides but
+/// for sorting in each bucket.
+/// \pre every index of a face is that of a point
+inline std::vector<Soup_side> sides_by_edge(const Surface_soup& soup)
 {
-  std::vector<Soup_side> sides;
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    for(std::size_t k = 0; k < faces[f].size(); ++k) {
-      const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % faces[f].size()]);
-      sides.push_back({low, high, f, static_cast<int>(k)});
+  const auto visit_sides = [&soup](auto visit) {
+    for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+      const std::vector<std::size_t>& face = soup.faces[f];
+      for(std::size_t k = 0; k < face.size(); ++k) {
+        const auto [low, high] = std::minmax(face[k], face[k + 1 < face.size() ? k + 1 : 0]);
+        visit(Soup_side{low, high, f, static_cast<int>(k)});
+      }
     }
-  std::sort(sides.begin(), sides.end(), [](const Soup_side& a, const Soup_side& b) {
-    return std::tie(a.low, a.high, a.face, a.corner) < std::tie(b.low, b.high, b.face, b.corner);
-  });
+  };
+  std::vector<std::size_t> ends(soup.points.size() + 1, 0); // of the buckets, once they are filled
+  visit_sides([&ends](const Soup_side& side) { ++ends[side.low + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Soup_side> sides(ends.back());
+  visit_sides([&ends, &sides](const Soup_side& side) { sides[ends[side.low]++] = side; });
+  std::size_t begin = 0;
+  for(std::size_t end : ends) {
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin), sides.begin() + static_cast<std::ptrdiff_t>(end),
+              [](const Soup_side& a, const Soup_side& b) {
+                return std::tie(a.high, a.face, a.corner) < std::tie(b.high, b.face, b.corner);
+              });
+    begin = end;
+  }
   return sides;
 }
 

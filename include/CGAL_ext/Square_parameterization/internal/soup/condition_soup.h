@@ -41,6 +41,9 @@ struct Conditioning_report
 /// is asked for, turns faces round, and drops isolated vertices. Throws `Unmappable` with a sentence that counts what
 /// is wrong and names the first places by their numbers in the given soup; with `ERROR_WRONG_PARAMETER` when there is
 /// no such component.
+///
+/// Complexity: linear in the number of sides but for sorting those at each vertex and, where polygons are split,
+/// quadratic in the size of each.
 /// \pre every index of a face is that of a point, every coordinate is finite
 Conditioning_report condition_soup(Surface_soup& soup, const Conditioning_options& options = {});
 

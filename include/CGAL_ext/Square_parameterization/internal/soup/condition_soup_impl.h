@@ -16,15 +16,15 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// drops the faces of all components but the chosen one; returns the numbers that the others had
+/// drops the faces of all components but the chosen one, and their sides; returns the numbers that the others had
 inline std::vector<std::size_t> choose_component(const Conditioning_options& options, Surface_soup& soup,
-                                                 Conditioning_report& report)
+                                                 std::vector<Soup_side>& sides, Conditioning_report& report)
 {
   std::vector<std::size_t> names(soup.faces.size());
   std::iota(names.begin(), names.end(), 0);
   if(!options.component)
     return names;
-  const std::vector<std::vector<std::size_t>> components = components_of(soup);
+  const std::vector<std::vector<std::size_t>> components = components_of(soup, sides);
   if(*options.component >= components.size())
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "there is no component " + std::to_string(*options.component) + ": the surface has " +
@@ -33,7 +33,7 @@ inline std::vector<std::size_t> choose_component(const Conditioning_options& opt
   report.components = components.size();
   report.component = *options.component;
   report.faces_dropped = soup.faces.size() - names.size();
-  keep_component(names, soup);
+  keep_component(names, soup, sides);
   return names;
 }
 
@@ -63,16 +63,19 @@ CGAL_EXT_INLINE_FUNCTION Conditioning_report condition_soup(Surface_soup& soup, 
 {
   Conditioning_report report;
   check_not_empty(soup);
-  const std::vector<std::size_t> names = choose_component(options, soup, report);
+  std::vector<Soup_side> sides = sides_by_edge(soup); // the one sorted list, which every step uses
+  const std::vector<std::size_t> names = choose_component(options, soup, sides, report);
   check_faces(soup, names, options.triangulate);
-  check_edges(soup);
-  report.faces_reoriented = orient_faces(soup, names);
+  check_edges(sides);
+  report.faces_reoriented = orient_faces(soup, sides, names);
   if(options.triangulate) {
     const std::size_t input_vertices = soup.points.size();
-    report.polygons_triangulated = triangulate_soup(soup);
+    report.polygons_triangulated = triangulate_soup(soup, sides);
     report.vertices_added = soup.points.size() - input_vertices;
+    if(report.polygons_triangulated > 0)
+      sides = sides_by_edge(soup);
   }
-  check_topology(soup, options.topology);
+  check_topology(soup, sides, options.topology);
   drop_isolated_vertices(soup, report);
   return report;
 }

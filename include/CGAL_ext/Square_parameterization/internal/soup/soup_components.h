@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +18,14 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the connected components of a soup: faces joined by edges, ascending in each. Most faces first, then lowest face
-/// first.
-inline std::vector<std::vector<std::size_t>> components_of(const Surface_soup& soup)
+/// first. CGAL's `connected_components()` asks for a mesh, which a soup need not be.
+/// \param sides of the soup by edge
+inline std::vector<std::vector<std::size_t>> components_of(const Surface_soup& soup,
+                                                           const std::vector<Soup_side>& sides)
 {
   Disjoint_sets joined(soup.faces.size());
-  for_each_edge(sides_by_edge(soup.faces), [&joined](auto begin, auto end) {
-    for(auto side = begin; side != end; ++side)
+  for_each_edge(sides, [&joined](auto begin, auto end) {
+    for(auto side = std::next(begin); side != end; ++side)
       joined.union_set(begin->face, side->face);
   });
   std::vector<std::size_t> number(soup.faces.size(), soup.faces.size());
@@ -40,13 +43,22 @@ inline std::vector<std::vector<std::size_t>> components_of(const Surface_soup& s
   return components;
 }
 
-/// keeps the faces of one component
-inline void keep_component(const std::vector<std::size_t>& component, Surface_soup& soup)
+/// keeps the faces of one component, in their order, and of the sides by edge those of its faces
+inline void keep_component(const std::vector<std::size_t>& component, Surface_soup& soup, std::vector<Soup_side>& sides)
 {
+  const std::size_t dropped = soup.faces.size();
+  std::vector<std::size_t> new_index(soup.faces.size(), dropped);
   std::vector<std::vector<std::size_t>> faces;
-  for(std::size_t f : component)
+  for(std::size_t f : component) {
+    new_index[f] = faces.size();
     faces.push_back(std::move(soup.faces[f]));
+  }
   soup.faces = std::move(faces);
+  for(Soup_side& side : sides)
+    side.face = new_index[side.face];
+  sides.erase(
+      std::remove_if(sides.begin(), sides.end(), [dropped](const Soup_side& side) { return side.face == dropped; }),
+      sides.end());
 }
 
 /// adds that there are several components, with the sizes of the first few

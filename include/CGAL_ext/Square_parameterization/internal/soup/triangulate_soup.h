@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,22 +20,24 @@ namespace internal {
 class Known_edges
 {
 public:
-  explicit Known_edges(const Surface_soup& soup)
-  {
-    for(const Soup_side& side : sides_by_edge(soup.faces))
-      m_edges.emplace_back(side.low, side.high);
-  }
+  /// \param sides of the soup by edge; they are kept by reference
+  explicit Known_edges(const std::vector<Soup_side>& sides) : m_sides(sides) {}
 
   void add(std::size_t a, std::size_t b) { m_diagonals.insert(std::minmax(a, b)); }
 
   bool contains(std::size_t a, std::size_t b) const
   {
     const std::pair<std::size_t, std::size_t> edge = std::minmax(a, b);
-    return std::binary_search(m_edges.begin(), m_edges.end(), edge) || m_diagonals.count(edge) != 0;
+    const auto side = std::lower_bound(m_sides.begin(), m_sides.end(), edge,
+                                       [](const Soup_side& s, const std::pair<std::size_t, std::size_t>& e) {
+                                         return std::tie(s.low, s.high) < std::tie(e.first, e.second);
+                                       });
+    const bool is_edge = side != m_sides.end() && side->low == edge.first && side->high == edge.second;
+    return is_edge || m_diagonals.count(edge) != 0;
   }
 
 private:
-  std::vector<std::pair<std::size_t, std::size_t>> m_edges; // ascending
+  const std::vector<Soup_side>& m_sides;
   std::set<std::pair<std::size_t, std::size_t>> m_diagonals;
 };
 
@@ -70,11 +73,11 @@ triangles_of_polygon(const std::vector<std::size_t>& polygon, Known_edges& edges
 }
 
 /// splits the faces with more than three vertices; the triangles of a face take its place, and new vertices come last.
-/// Returns how many faces it split.
+/// Returns how many faces it split. \p sides are those of the soup by edge, before any face is split.
 /// \pre no face repeats a vertex, no edge has more than two faces
-inline std::size_t triangulate_soup(Surface_soup& soup)
+inline std::size_t triangulate_soup(Surface_soup& soup, const std::vector<Soup_side>& sides)
 {
-  Known_edges edges(soup);
+  Known_edges edges(sides);
   std::vector<std::vector<std::size_t>> triangles;
   std::size_t polygons = 0;
   for(auto& face : soup.faces) {

@@ -9,19 +9,34 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
+// CGAL 6 renames this predicate and warns of the old name
+#if __has_include(<CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>)
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
+#define CGAL_EXT_EDGE_COUNT_STOP_PREDICATE Edge_count_stop_predicate
+#else
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#define CGAL_EXT_EDGE_COUNT_STOP_PREDICATE Count_stop_predicate
+#endif
+
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
+
+/// stops when fewer edges are left than a number
+template <class Mesh>
+using Edge_count_stop_predicate = CGAL::Surface_mesh_simplification::CGAL_EXT_EDGE_COUNT_STOP_PREDICATE<Mesh>;
+#undef CGAL_EXT_EDGE_COUNT_STOP_PREDICATE
 
 /// collapses edges, those of least cost first, until about \p faces triangles are left
 template <class Mesh, class Cost, class Placement>
@@ -30,7 +45,7 @@ void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& pl
   namespace SMS = CGAL::Surface_mesh_simplification;
   const std::size_t edges = 3 * static_cast<std::size_t>(faces) / 2;
   SMS::edge_collapse(
-      mesh, SMS::Count_stop_predicate<Mesh>(edges),
+      mesh, Edge_count_stop_predicate<Mesh>(edges),
       CGAL::parameters::get_cost(cost).get_placement(placement).filter(SMS::Bounded_normal_change_filter<>()));
 }
 

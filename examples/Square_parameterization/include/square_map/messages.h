@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_MESSAGES_H
+#define SQUARE_MAP_MESSAGES_H
+
+#include "Job.h"
+
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <string>
+
+namespace square_map {
+
+/// a progress line on a terminal
+class Progress : public CGAL_ext::Search_visitor
+{
+public:
+  /// \param objective what the search minimises, in words
+  explicit Progress(std::string objective) : m_objective(std::move(objective)) {}
+
+  void start_search(std::size_t candidates) override { m_candidates = candidates; }
+
+  void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
+  {
+    m_best = (std::min)(m_best, sample.objective);
+    std::cerr << "\r" << ++m_evaluations << " of at most " << m_candidates << " candidates, least " << m_objective
+              << ' ' << m_best << "   " << std::flush;
+  }
+
+  void end_search(const CGAL_ext::Search_report&) override { std::cerr << '\n'; }
+
+private:
+  std::string m_objective;
+  std::size_t m_candidates = 0, m_evaluations = 0;
+  double m_best = std::numeric_limits<double>::infinity();
+};
+
+/// tells what was done to the polygons of the file
+inline void tell_conditioning(const CGAL_ext::internal::Conditioning_report& conditioning)
+{
+  if(conditioning.components > 1)
+    std::cerr << "component " << conditioning.component << " of " << conditioning.components << " was kept, "
+              << conditioning.faces_dropped << " faces of the others were dropped\n";
+  if(conditioning.polygons_triangulated > 0)
+    std::cerr << conditioning.polygons_triangulated << " polygons were split into triangles\n";
+  if(conditioning.vertices_added > 0)
+    std::cerr << conditioning.vertices_added << " vertices were added in polygons that no diagonal could split\n";
+  if(conditioning.faces_reoriented > 0)
+    std::cerr << conditioning.faces_reoriented << " faces were turned round to agree with their neighbors\n";
+  if(conditioning.vertices_dropped > 0)
+    std::cerr << conditioning.vertices_dropped
+              << (conditioning.components > 1 ? " vertices without a kept face" : " isolated vertices")
+              << " were dropped\n";
+}
+
+/// tells what was done to the mesh, and how good its map is
+inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double total_seconds)
+{
+  if(result.cut.seam_edges > 0)
+    std::cerr << "cut along " << result.cut.seam_edges << " edges, " << result.cut.cut_length << " sqrt(area) long\n";
+  if(result.degenerate_faces > 0)
+    std::cerr << result.degenerate_faces << " faces without area were mapped as if they were a little wide\n";
+  if(result.border_edges_split > 0)
+    std::cerr << "the border was too short for four corners: an edge of it was split\n";
+  if(result.chords_split > 0)
+    std::cerr << result.chords_split << " chords were split\n";
+  std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << result.search.best_candidate << ", "
+            << result.search.evaluations << " evaluated, " << total_seconds << " s\n";
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_MESSAGES_H

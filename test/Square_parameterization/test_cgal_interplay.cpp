@@ -12,6 +12,8 @@
 #include <CGAL_ext/Square_parameterization/Stretch_optimal_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
+
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>

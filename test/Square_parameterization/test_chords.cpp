@@ -85,7 +85,7 @@ TEST_CASE("the plug-in passes over candidates whose chords lie on a side, and do
   options.visitor = &visitor;
   typedef Brute_force_square_border_parameterizer_3<Surface_mesh> Border;
   typedef Stretch_minimizing_parameterizer_3<Surface_mesh, Border> Parameterizer;
-  const Parameterization result = parameterize(mesh, Parameterizer(Border(options)));
+  const Parameterization result = parameterize(mesh, Parameterizer(Border({}, options)));
   CHECK(is_one_to_one(result, mesh.number_of_faces()));
   CHECK(mesh.number_of_vertices() == before.number_of_vertices());
 

@@ -17,6 +17,8 @@
 #include <CGAL_ext/Square_parameterization/base_weights.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
+
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 
@@ -73,7 +75,7 @@ struct Any_corner_search
 template <class Search>
 using Border_with = Square_border_corner_search_parameterizer_3<Surface_mesh, Search>;
 
-Surface_mesh curved_mesh()
+Surface_mesh bent_mesh()
 {
   return make_mesh<Surface_mesh>(noisy_height_field(7));
 }
@@ -97,7 +99,7 @@ std::pair<SMP::Error_code, bool> status_and_writing(Surface_mesh& mesh, const Pa
 template <class Border>
 void check_refused(const Border& border)
 {
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   const std::pair<SMP::Error_code, bool> refused(SMP::ERROR_WRONG_PARAMETER, false);
   CHECK(status_and_writing(mesh, Stretch_minimizing_parameterizer_3<Surface_mesh, Border>(border)) == refused);
   CHECK(status_and_writing(mesh, Stretch_optimal_parameterizer_3<Surface_mesh, Border>(border)) == refused);
@@ -114,7 +116,7 @@ TEST_CASE("the named border parameterizers are the general one with their search
   CHECK(std::is_same_v<Border_with<CGAL::Default>::Corner_search, Hybrid_corner_search>);
   // every argument may be left out, also with braces
   const Square_search_options options;
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   typedef Stretch_minimizing_parameterizer_3<Mesh, Border_with<CGAL::Default>> By_default;
   typedef Hybrid_square_border_parameterizer_3<Mesh> Hybrid;
   typedef Stretch_minimizing_parameterizer_3<Mesh, Hybrid> By_name;
@@ -124,7 +126,7 @@ TEST_CASE("the named border parameterizers are the general one with their search
 TEST_CASE("a search of a user works in CGAL's parameterize(), with the parameterizers of this package and of CGAL")
 {
   typedef Border_with<One_candidate_corner_search> Border;
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   const int candidates = 4 * 7;
   for(int candidate : {0, 5, candidates - 1}) {
     Recording_visitor visitor;
@@ -145,7 +147,7 @@ TEST_CASE("a search of a user works in CGAL's parameterize(), with the parameter
 
 TEST_CASE("a search chosen at run time is a search like any other")
 {
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   typedef Border_with<Corner_search> Any;
   typedef Border_with<Bracketing_corner_search> Bracketing;
   const Any any(Corner_search(Bracketing_corner_search(4)));
@@ -193,7 +195,7 @@ TEST_CASE("a search with a number out of its range is refused")
 
 TEST_CASE("the visitor of the border is told of the search and, after it, of the minimization")
 {
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   typedef Brute_force_square_border_parameterizer_3<Surface_mesh> Border;
   const auto check_told = [&mesh](auto parameterizer_of) {
     struct In_order : Recording_visitor
@@ -222,7 +224,7 @@ TEST_CASE("the visitor of the border is told of the search and, after it, of the
 
 TEST_CASE("the callback stops the search: the best so far is delivered, and without a map nothing")
 {
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   typedef Brute_force_square_border_parameterizer_3<Surface_mesh> Border;
   for(int limit : {0, 1, 3}) {
     Recording_visitor visitor;
@@ -257,7 +259,7 @@ TEST_CASE("what a user's code throws comes out of parameterize(), and nothing is
   }};
   const Any_corner_search harmless{[](const Corner_search_problem& problem) { problem.objective_of({0, 1}); }};
   for(const Border& border : {Border(failing), Border(harmless, with_visitor), Border(harmless, with_callback)}) {
-    Surface_mesh mesh = curved_mesh();
+    Surface_mesh mesh = bent_mesh();
     Uv_map uvmap = mesh.add_property_map<vertex_descriptor, Point_2>("v:uv", Point_2(-7, -7)).first;
     CHECK_THROWS_WITH(SMP::parameterize(mesh, Stretch_minimizing_parameterizer_3<Surface_mesh, Border>(border),
                                         first_border_halfedge_of(mesh), uvmap),
@@ -271,7 +273,7 @@ TEST_CASE("one border parameterizer serves several threads at a time")
 {
   const Hybrid_square_border_parameterizer_3<Surface_mesh> border;
   const auto map_border = [&border] {
-    Surface_mesh mesh = curved_mesh();
+    Surface_mesh mesh = bent_mesh();
     const Uv_map uvmap = mesh.add_property_map<vertex_descriptor, Point_2>("v:uv", Point_2(-7, -7)).first;
     const bool is_mapped = border.parameterize(mesh, first_border_halfedge_of(mesh), uvmap,
                                                CGAL::Constant_property_map<vertex_descriptor, int>(0),
@@ -362,7 +364,7 @@ TEST_CASE("base weights that do not fit the disk are refused")
 {
   typedef Square_border_arc_length_parameterizer_3<Surface_mesh> Border;
   typedef Stretch_minimizing_parameterizer_3<Surface_mesh, Border, Wrong_weights> Parameterizer;
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   for(int surplus : {-1, 0, 1})
     CHECK(parameterize(mesh, Parameterizer(Border(), Wrong_weights{surplus})).status == SMP::ERROR_WRONG_PARAMETER);
   const Patch patch = make_patch_of(noisy_height_field(7));
@@ -426,7 +428,7 @@ TEST_CASE("a solver object that is given solves all systems, one at a time")
   typedef Brute_force_square_border_parameterizer_3<Surface_mesh> Border;
   typedef Stretch_minimizing_parameterizer_3<Surface_mesh, Border, CGAL::Default, Counting_solver> Parameterizer;
   typedef Stretch_minimizing_parameterizer_3<Surface_mesh, Border> Direct;
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   const Parameterization expected = parameterize(mesh, Direct());
   Square_search_options four_threads;
   four_threads.number_of_threads = 4;
@@ -446,13 +448,13 @@ TEST_CASE("copies of a parameterizer with a given solver may map at the same tim
   typedef Stretch_minimizing_parameterizer_3<Surface_mesh, Border, CGAL::Default, Counting_solver> Parameterizer;
   const auto counts = std::make_shared<Counting_solver::Counts>();
   const Parameterizer given(Border(), Blended_weights(), 0.3, 1, 100, Counting_solver(counts));
-  Surface_mesh mesh = curved_mesh();
+  Surface_mesh mesh = bent_mesh();
   const std::vector<Eigen::Vector2d> expected = parameterize(mesh, given).uv;
   std::vector<std::vector<Eigen::Vector2d>> results(4);
   std::vector<std::thread> threads;
   for(auto& result : results)
     threads.emplace_back([&result, &given] {
-      Surface_mesh own_mesh = curved_mesh();
+      Surface_mesh own_mesh = bent_mesh();
       result = parameterize(own_mesh, given).uv;
     });
   for(std::thread& thread : threads)

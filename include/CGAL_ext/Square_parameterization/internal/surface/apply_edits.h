@@ -11,7 +11,10 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <array>
+#include <cstddef>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -33,8 +36,8 @@ public:
   /// cuts along the seams
   void open(const Surface_edits& edits)
   {
-    for(const auto& [a, b] : edits.seams)
-      double_edge(halfedge(m_vertices[a], m_vertices[b], m_mesh).first);
+    for(halfedge_descriptor h : halfedges_between(edits.seams)) // all of them found first: then links are missing
+      double_edge(h);
     for(int original : edits.copies) {
       m_vertices.push_back(add_vertex(m_mesh));
       put(m_vpm, m_vertices.back(), Point(get(m_vpm, m_vertices[original])));
@@ -46,12 +49,10 @@ public:
   /// midpoint of the first split side
   void split(const std::vector<std::array<int, 2>>& edges)
   {
-    std::vector<halfedge_descriptor> sides;
+    const std::vector<halfedge_descriptor> sides = halfedges_between(edges);
     std::set<halfedge_descriptor> is_split;
-    for(const auto& [a, b] : edges) {
-      sides.push_back(halfedge(m_vertices[a], m_vertices[b], m_mesh).first);
-      is_split.insert({sides.back(), opposite(sides.back(), m_mesh)});
-    }
+    for(halfedge_descriptor h : sides)
+      is_split.insert({h, opposite(h, m_mesh)});
     const auto begins_fan = [&](halfedge_descriptor h) {
       return !CGAL::is_border(h, m_mesh) && first_split_side(h, is_split) == h;
     };
@@ -71,6 +72,14 @@ public:
 
 private:
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+
+  std::vector<halfedge_descriptor> halfedges_between(const std::vector<std::array<int, 2>>& ends) const
+  {
+    std::vector<halfedge_descriptor> result;
+    for(const auto& [a, b] : ends)
+      result.push_back(halfedge(m_vertices[a], m_vertices[b], m_mesh).first);
+    return result;
+  }
 
   /// gives the face beyond an edge a halfedge of its own, so that both sides of the edge become border
   void double_edge(halfedge_descriptor kept)

@@ -8,6 +8,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 using namespace CGAL_ext;
 
 namespace {
@@ -105,6 +111,89 @@ TEST_CASE("a strategy that is cancelled reports the best so far")
   CHECK(report.is_cancelled);
   CHECK(report.evaluations == 10);
   CHECK(report.best_candidate == 9); // the curve falls from 0 to 15, and one thread goes in order
+}
+
+namespace {
+
+/// asks for given batches of candidates, one after the other, and then does what else it is told
+struct Batches_corner_search
+{
+  Candidate_set candidate_set() const { return Candidate_set::FULL; }
+
+  void operator()(const Corner_search_problem& problem) const
+  {
+    for(const std::vector<int>& batch : batches)
+      CHECK(problem.objective_of(batch).size() == batch.size());
+    if(then)
+      then(problem);
+  }
+
+  std::vector<std::vector<int>> batches = {};
+  std::function<void(const Corner_search_problem&)> then = {};
+};
+
+} // namespace
+
+TEST_CASE("a candidate that does not exist is refused, and nothing of its batch is mapped")
+{
+  for(int wrong : {-1, 9, 1000000, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+    const std::string text =
+        "the corner search asked for candidate " + std::to_string(wrong) + "; the candidates are 0 to 8";
+    int asked = 0;
+    const Search_conditions conditions{1, nullptr, [&asked](double) { return ++asked > 0; }};
+    CHECK_THROWS_WITH(search_curve(valley(9, 4), Batches_corner_search{{{3}, {1, wrong, 2}}}, conditions), text);
+    CHECK(asked == 1);
+    const auto ask_for_distances = [wrong](const Corner_search_problem& problem) { problem.corner_distances(wrong); };
+    Search_conditions with_distances;
+    with_distances.corner_distances = [](int) { return std::vector<double>(9, 0.); };
+    CHECK_THROWS_WITH(search_curve(valley(9, 4), Batches_corner_search{{{3}}, ask_for_distances}, with_distances),
+                      text);
+  }
+}
+
+TEST_CASE("an empty batch is answered by an empty one, and a strategy that asks for no candidate is refused")
+{
+  const Search_report report = search_curve(valley(9, 4), Batches_corner_search{{{}, {5}, {}}});
+  CHECK(report.best_candidate == 5);
+  CHECK(report.evaluations == 1);
+  CHECK_THROWS_WITH(search_curve(valley(9, 4), Batches_corner_search{}), "the corner search asked for no candidate");
+  CHECK_THROWS_WITH(search_curve(valley(9, 4), Batches_corner_search{{{}, {}}}),
+                    "the corner search asked for no candidate");
+}
+
+TEST_CASE("a strategy that is cancelled is left by what is no std::exception, and its objects are destroyed")
+{
+  struct On_exit
+  {
+    ~On_exit() { ++count; }
+    int& count;
+  };
+  int destroyed = 0, errors = 0, others = 0;
+  const auto careful = [&](const Corner_search_problem& problem) {
+    const On_exit on_exit{destroyed};
+    try {
+      problem.objective_of({2});
+    } catch(const std::exception&) {
+      ++errors;
+    } catch(...) {
+      ++others;
+      throw;
+    }
+  };
+  const Batches_corner_search search{{{0}, {1}}, careful};
+  int asked = 0;
+  const Search_report report = search_curve(valley(9, 4), search, {1, nullptr, [&](double) { return ++asked <= 2; }});
+  CHECK((report.is_cancelled && report.evaluations == 2 && report.best_candidate == 1));
+  CHECK((destroyed == 1 && errors == 0 && others == 1));
+  // cancelled before the first map: no strategy is to blame for that
+  const Search_report none = search_curve(valley(9, 4), search, {1, nullptr, [](double) { return false; }});
+  CHECK((none.is_cancelled && none.evaluations == 0 && none.best_candidate == -1));
+}
+
+TEST_CASE("a strategy's own exception comes out")
+{
+  const auto fail = [](const Corner_search_problem&) { throw std::domain_error("of the strategy"); };
+  CHECK_THROWS_WITH(search_curve(valley(9, 4), Batches_corner_search{{{0}}, fail}), "of the strategy");
 }
 
 TEST_CASE("a strategy of the user sees the number of candidates and their stretch")

@@ -285,30 +285,28 @@ TEST_CASE("every strategy gives the same answer for any number of threads and fo
   }
 }
 
-namespace {
-
-/// lets a number of evaluations begin
-struct Limit_evaluations : Search_visitor
+TEST_CASE("a number out of its range makes a strategy invalid, and a search with it is refused")
 {
-  bool may_continue() override { return begun++ < limit; }
-
-  int begun = 0, limit = 3;
-};
-
-} // namespace
-
-TEST_CASE("every strategy stops when the visitor says so")
-{
-  const Stretch_curve curve = valley(50, 20);
   for(const auto& [name, search] : all_strategies()) {
     INFO(name);
-    Search_conditions conditions = peak_at(50, 10);
-    const std::size_t all = search_curve(curve, search, conditions).evaluations;
-    Limit_evaluations visitor;
-    conditions.visitor = &visitor;
-    const Search_report report = search_curve(curve, search, conditions);
-    CHECK(report.is_cancelled == (all > 3));
-    CHECK(report.evaluations == (std::min)(all, std::size_t(3)));
+    CHECK(search.is_valid());
+  }
+  for(int wrong : {2, 1, 0, -1, -1000})
+    CHECK(!Bracketing_corner_search(wrong).is_valid());
+  for(int wrong : {-1, -1000}) {
+    CHECK(!Step_sampling_corner_search(wrong).is_valid());
+    CHECK(!Hybrid_corner_search(wrong).is_valid());
+    CHECK(!Particle_swarm_corner_search(wrong).is_valid());
+    CHECK(!Particle_swarm_corner_search(4, wrong).is_valid());
+  }
+  for(int wrong : {0, -1})
+    CHECK(!Particle_swarm_corner_search(4, 20, wrong).is_valid());
+  for(const Corner_search& wrong :
+      {Corner_search(Bracketing_corner_search(2)), Corner_search(Step_sampling_corner_search(-1)),
+       Corner_search(Hybrid_corner_search(-1)), Corner_search(Particle_swarm_corner_search(-1))}) {
+    CHECK(!wrong.is_valid());
+    CHECK(!Corner_search(wrong).is_valid()); // a copy
+    CHECK_THROWS_WITH(search_curve(valley(9, 4), wrong), "a number of the corner search is out of its range");
   }
 }
 

@@ -30,8 +30,15 @@ namespace CGAL_ext {
 class Bracketing_corner_search
 {
 public:
+  /// evaluates five candidates first
+  Bracketing_corner_search() : Bracketing_corner_search(5) {}
+
   /// \param samples number of candidates evaluated first, 3 or more
-  explicit Bracketing_corner_search(int samples = 5) : m_samples((std::max)(3, samples)) {}
+  explicit Bracketing_corner_search(int samples) : m_samples(samples) {}
+
+  /// indicates whether the number of samples is in its range. With one that is not, a search is refused with
+  /// `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const { return m_samples >= 3; }
 
   Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
 

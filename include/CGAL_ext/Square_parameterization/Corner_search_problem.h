@@ -13,12 +13,18 @@ namespace CGAL_ext {
 ///
 /// the only view that a search strategy has of its problem. Candidates are 0, 1, ..., `number_of_candidates` - 1 and
 /// form a ring: the last and the first are neighbors.
+///
+/// Its functions are to be called by one thread at a time, and not after the strategy has ended; they use all threads
+/// of the search themselves. They throw when they are asked for a candidate that is not one of these, and when the
+/// search is cancelled: a strategy lets both through (see `CornerSearch`).
 struct Corner_search_problem
 {
   int number_of_candidates = 0; ///< at least 1
 
   /// maps the given candidates, concurrently, and returns their objectives in the same order; infinite for a candidate
-  /// without a one-to-one map. A candidate asked for twice is mapped once.
+  /// without a one-to-one map. A candidate asked for twice is mapped once. An empty batch is answered by an empty one.
+  /// What the objective is, L2 stretch or balanced energy, is the minimizer's affair: it is positive and dimensionless,
+  /// and the less the better.
   std::function<std::vector<double>(const std::vector<int>&)> objective_of;
 
   /// as `objective_of`, but each map starts from that of the nearest candidate evaluated by an earlier call, where the
@@ -34,12 +40,12 @@ struct Corner_search_problem
   int number_of_vertices = 1; ///< of the mesh that is mapped
   int number_of_faces = 1;    ///< of the mesh that is mapped
 
-  /// maps the mesh onto a circle and returns the stretch of the border vertices there, one value per border vertex;
-  /// empty when that map could not be computed
+  /// maps the mesh onto a circle and returns the L2 stretch of the border vertices there (dimensionless), one value per
+  /// border vertex; empty when that map could not be computed. Costs about as much as an evaluation.
   std::function<std::vector<double>()> circle_stretch;
 
   /// the distance of every border vertex from the nearest corner if the given candidate were mapped, in half sides: 0
-  /// at a corner, 1 in the middle of a side. Nothing is mapped.
+  /// at a corner, 1 in the middle of a side. Nothing is mapped: linear in the number of border vertices.
   std::function<std::vector<double>(int)> corner_distances;
 };
 

@@ -21,9 +21,16 @@ namespace CGAL_ext {
 class Hybrid_corner_search
 {
 public:
-  /// \param interval stride of the walks, in candidates, 1 or more; 0 for the formula of the paper,
-  ///        \f$ \max(1, s - 1) \f$ with the step \f$ s \f$ of `Step_sampling_corner_search`
-  explicit Hybrid_corner_search(int interval = 0) : m_interval(interval) {}
+  /// takes the interval of the paper, \f$ \max(1, s - 1) \f$ with the step \f$ s \f$ of
+  /// `Step_sampling_corner_search`
+  Hybrid_corner_search() : Hybrid_corner_search(0) {}
+
+  /// \param interval stride of the walks, in candidates, 1 or more; 0 for the interval of the paper
+  explicit Hybrid_corner_search(int interval) : m_interval(interval) {}
+
+  /// indicates whether the interval is in its range. With one that is not, a search is refused with
+  /// `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const { return m_interval >= 0; }
 
   Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
 

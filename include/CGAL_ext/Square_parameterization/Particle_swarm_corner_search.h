@@ -6,7 +6,11 @@
 
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
 
-#include <random>
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace CGAL_ext {
 
@@ -22,29 +26,31 @@ namespace CGAL_ext {
 class Particle_swarm_corner_search
 {
 public:
-  /// \param particles size of the swarm, 1 or more; 0 for the default \f$ \max(4, \sqrt m) \f$ with \f$ m \f$
-  ///        candidates
-  /// \param iterations largest number of moves of the swarm
+  /// lets \f$ \max(4, \sqrt m) \f$ particles fly over \f$ m \f$ candidates
+  Particle_swarm_corner_search() : Particle_swarm_corner_search(0) {}
+
+  /// \param particles size of the swarm, 1 or more; 0 for \f$ \max(4, \sqrt m) \f$ with \f$ m \f$ candidates
+  /// \param iterations largest number of moves of the swarm, not negative
   /// \param patience number of moves in a row without a better candidate after which the search ends, 1 or more
-  /// \param seed of the pseudo-random numbers
-  explicit Particle_swarm_corner_search(unsigned int particles = 0, unsigned int iterations = 20,
-                                        unsigned int patience = 3, unsigned int seed = 0)
+  /// \param seed of the pseudo-random numbers of `CGAL::Random`
+  explicit Particle_swarm_corner_search(int particles, int iterations = 20, int patience = 3, unsigned int seed = 0)
     : m_particles(particles), m_iterations(iterations), m_patience(patience), m_seed(seed)
   {}
+
+  /// indicates whether the numbers are in their ranges. With one that is not, a search is refused with
+  /// `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const { return m_particles >= 0 && m_iterations >= 0 && m_patience >= 1; }
 
   Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
 
   void operator()(const Corner_search_problem& problem) const
   {
     internal::Candidate_ring ring(problem);
-    std::mt19937 generator(m_seed);
-    // std::uniform_real_distribution differs between libraries; a quotient does not
-    const auto random = [&generator] { return generator() / 4294967296.; };
-
+    CGAL::Random random(m_seed);
     std::vector<Particle> swarm = scatter(ring, random);
     evaluate(swarm, ring);
-    unsigned int failures = 0;
-    for(unsigned int i = 0; i < m_iterations && failures < m_patience; ++i) {
+    int failures = 0;
+    for(int i = 0; i < m_iterations && failures < m_patience; ++i) {
       const double best_before = ring.objective(ring.best());
       for(Particle& particle : swarm)
         move(particle, ring, random);
@@ -60,16 +66,14 @@ private:
     int best;                  ///< best candidate this particle has seen, -1 before the first
   };
 
-  template <class Random>
-  std::vector<Particle> scatter(const internal::Candidate_ring& ring, Random random) const
+  std::vector<Particle> scatter(const internal::Candidate_ring& ring, CGAL::Random& random) const
   {
-    const int size = m_particles > 0 ? static_cast<int>(m_particles)
-                                     : (std::max)(4, static_cast<int>(std::sqrt(double(ring.size()))));
+    const int size = m_particles > 0 ? m_particles : (std::max)(4, static_cast<int>(std::sqrt(double(ring.size()))));
     std::vector<Particle> swarm;
     for(int i = 0; i < size; ++i) { // one in each of equal arcs
       const double arc = double(ring.size()) / size;
-      const double position = (i + random()) * arc;
-      swarm.push_back({position, (2 * random() - 1) * arc, -1});
+      const double position = (i + random.get_double()) * arc;
+      swarm.push_back({position, random.get_double(-1, 1) * arc, -1});
     }
     return swarm;
   }
@@ -90,20 +94,20 @@ private:
         swarm[i].best = candidates[i];
   }
 
-  template <class Random>
-  static void move(Particle& particle, const internal::Candidate_ring& ring, Random random)
+  static void move(Particle& particle, const internal::Candidate_ring& ring, CGAL::Random& random)
   {
     constexpr double INERTIA = 0.7298, ATTRACTION = 1.49618;
     const double ring_size = ring.size();
     const auto way_to = [&](int target) { return std::remainder(target - particle.position, ring_size); };
-    const double to_own_best = random() * way_to(particle.best);
-    const double to_common_best = random() * way_to(ring.best());
+    const double to_own_best = random.get_double() * way_to(particle.best);
+    const double to_common_best = random.get_double() * way_to(ring.best());
     particle.velocity = INERTIA * particle.velocity + ATTRACTION * (to_own_best + to_common_best);
     particle.velocity = (std::max)(-ring_size / 2, (std::min)(particle.velocity, ring_size / 2));
     particle.position = std::fmod(particle.position + particle.velocity + ring_size, ring_size);
   }
 
-  unsigned int m_particles, m_iterations, m_patience, m_seed;
+  int m_particles, m_iterations, m_patience;
+  unsigned int m_seed;
 };
 
 } // namespace CGAL_ext

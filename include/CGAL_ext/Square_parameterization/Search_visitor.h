@@ -14,8 +14,13 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationResults
 ///
 /// is told how a search and a minimization proceed. Derive from it and override what you need; all functions do nothing
-/// by default. The parameterizers hold a pointer to the visitor, which must outlive them: they are copied, the visitor
-/// is not. Calls never overlap, but may come from different threads.
+/// by default. It is given in `Square_search_options`, and only watches: to stop a search is for
+/// `Square_search_options::callback`.
+///
+/// Parameterizers hold a pointer to the visitor, which must outlive them: they are copied, the visitor is not. The calls
+/// for one map never overlap, but may come from different threads; a visitor of several maps that are made at the same
+/// time has to guard itself. An exception that a visitor throws ends the search and comes out of `parameterize()` or
+/// `parameterize_onto_square()`.
 class Search_visitor
 {
 public:
@@ -24,18 +29,15 @@ public:
   /// called once, before the first evaluation, with the number of candidates: an upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 
-  /// asked before each evaluation. When it returns `false` the search stops within one evaluation per thread, and the
-  /// best candidate so far is delivered, marked as cancelled.
-  virtual bool may_continue() { return true; }
-
   /// called after each evaluation, in the order in which they finish, which differs from run to run with several
   /// threads
   virtual void after_evaluation(const Search_report::Sample& /* sample */) {}
 
-  /// called once, after the last evaluation
+  /// called once, after the last evaluation; not when a search is refused or left by an exception
   virtual void end_search(const Search_report& /* report */) {}
 
-  /// called by a parameterizer, or by `parameterize_onto_square()`, with the minimization that made the delivered map
+  /// called once, after `end_search()`, with the minimization that made the best map: the delivered one, unless another
+  /// parameterizer takes the border alone from it
   virtual void end_minimization(const Minimization_report& /* report */) {}
 };
 

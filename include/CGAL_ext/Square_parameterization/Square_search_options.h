@@ -13,18 +13,24 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// options that all searches for the corners of the square share
+/// options that all searches for the corners of the square share.
+///
+/// The callback and the visitor are called by one thread at a time, during one search; not for the choice of a cut.
+/// Searches that run at the same time may share options without them.
 struct Square_search_options
 {
   Corner_rule corner_rule = Corner_rule::NEAREST; ///< where the sides of the square end
   Walk walk = Walk::COUNTER_CLOCKWISE;            ///< direction in which candidates are counted and sides are closed
   unsigned int number_of_threads = 0; ///< 0 for all cores, or as many as have room in about 2 GB when the surface is
                                       ///< large (1 to 3 kB a vertex); the result is the same for any number
-  Search_visitor* visitor = nullptr;  ///< is told of the progress and of the result; may be null
+  Search_visitor* visitor = nullptr;  ///< is told of the search and of the minimization of the map; may be null
 
   /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], and before each
   /// sketch, with 0. When it returns `false` the search stops within one evaluation per thread and the best candidate
-  /// so far is delivered, marked as cancelled.
+  /// so far is delivered, marked as cancelled; without a candidate so far there is no map
+  /// (`ERROR_NO_1_TO_1_MAPPING`). It alone stops a search.
+  ///
+  /// The strategy is left by an exception that is not derived from `std::exception`: see `CornerSearch`.
   std::function<bool(double)> callback;
 };
 

@@ -19,9 +19,16 @@ namespace CGAL_ext {
 class Step_sampling_corner_search
 {
 public:
-  /// \param step distance between samples, in candidates, 1 or more; 0 for the formula of the paper,
-  ///        \f$ \max(2, \lfloor\sqrt{V m / F}\rfloor) \f$ with \f$ V \f$ vertices and \f$ F \f$ faces
-  explicit Step_sampling_corner_search(int step = 0) : m_step(step) {}
+  /// takes the step of the paper, \f$ \max(2, \lfloor\sqrt{V m / F}\rfloor) \f$ with \f$ V \f$ vertices and
+  /// \f$ F \f$ faces
+  Step_sampling_corner_search() : Step_sampling_corner_search(0) {}
+
+  /// \param step distance between samples, in candidates, 1 or more; 0 for the step of the paper
+  explicit Step_sampling_corner_search(int step) : m_step(step) {}
+
+  /// indicates whether the step is in its range. With one that is not, a search is refused with
+  /// `ERROR_WRONG_PARAMETER`.
+  bool is_valid() const { return m_step >= 0; }
 
   Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
 

@@ -8,9 +8,37 @@
 
 #include <functional>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Search, class = void>
+struct Has_ranges : std::false_type
+{
+};
+
+template <class Search>
+struct Has_ranges<Search, std::void_t<decltype(std::declval<const Search&>().is_valid())>> : std::true_type
+{
+};
+
+/// what a search says of its numbers; one that says nothing has none
+template <class Search>
+bool is_valid_search(const Search& search)
+{
+  if constexpr(Has_ranges<Search>::value)
+    return search.is_valid();
+  else
+    return true;
+}
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
@@ -51,13 +79,19 @@ struct First_candidate_corner_search
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// any model of `CornerSearch`, chosen at run time
+/// any model of `CornerSearch`, chosen at run time. It holds a copy of it.
+/// \cgalModels `CornerSearch`
 class Corner_search
 {
 public:
+  /// \tparam Search must be a model of `CornerSearch`.
   template <class Search>
-  Corner_search(const Search& search) : m_candidate_set(search.candidate_set()), m_search(search)
+  Corner_search(const Search& search)
+    : m_candidate_set(search.candidate_set()), m_is_valid(internal::is_valid_search(search)), m_search(search)
   {}
+
+  /// indicates whether the numbers of the search are in their ranges; `true` for one without `is_valid()`
+  bool is_valid() const { return m_is_valid; }
 
   Candidate_set candidate_set() const { return m_candidate_set; }
 
@@ -65,6 +99,7 @@ public:
 
 private:
   Candidate_set m_candidate_set;
+  bool m_is_valid;
   std::function<void(const Corner_search_problem&)> m_search;
 };
 

@@ -40,6 +40,7 @@ inline void check_options(const Square_map_options& options)
             ? "the balance is not in [0, 1], a tolerance is negative, or the weights or eta of the start are wrong"
             : "the weights are missing, or eta is not in ]0, 1]");
   check_cut_options(options.cut);
+  check_corner_search(options.search);
 }
 
 /// positions in the border loop of the vertex at place \p v in the order of the mesh, and of its copies

@@ -6,8 +6,8 @@
 #ifndef CGAL_EXT_SEARCH_CURVE_H
 #define CGAL_EXT_SEARCH_CURVE_H
 
-#include <CGAL_ext/Square_parameterization/corner_searches.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -82,11 +82,8 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
   problem.number_of_faces = conditions.number_of_faces;
   problem.circle_stretch = [&] { return conditions.circle_stretch; };
   problem.corner_distances = conditions.corner_distances;
-  try {
-    search(problem);
-  } catch(const CGAL_ext::internal::Search_cancelled&) {
-    // the report says so
-  }
+  CGAL_ext::internal::check_corner_search(search);
+  CGAL_ext::internal::run_corner_search(search, problem, evaluation);
   CGAL_ext::Search_report report = evaluation.report();
   report.sketches = sketches;
   return report;

@@ -6,14 +6,19 @@
 
 #include <CGAL_ext/Square_parameterization/Search_visitor.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <mutex>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -36,15 +41,28 @@ inline unsigned int number_of_search_threads(unsigned int number_of_threads, int
                     default_number_of_threads());
 }
 
-/// thrown out of a strategy by the evaluation when the callback or the visitor asks to stop
+/// thrown out of a strategy by the evaluation when the callback asks to stop. No `std::exception`: a strategy that
+/// handles errors of its own lets it through.
 struct Search_cancelled
 {
 };
 
+/// refuses a candidate that does not exist
+inline void check_candidate(int candidate, int number_of_candidates)
+{
+  if(candidate < 0 || candidate >= number_of_candidates)
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                     "the corner search asked for candidate " + std::to_string(candidate) +
+                         "; the candidates are 0 to " + std::to_string(number_of_candidates - 1));
+}
+
 /// maps candidates concurrently, each at most once, and keeps their objectives and the best map.
 ///
-/// The result does not depend on the number of threads: each map is computed from its candidate alone, and among equal
-/// objectives the lowest candidate wins. Memory: one map, one workspace per thread, and one number per evaluation.
+/// The result does not depend on the number of threads: what the maps of a call start from is chosen before the call
+/// begins, among the maps of earlier calls, and among equal objectives the lowest candidate wins. Memory: one map, one
+/// workspace per thread, one number per evaluation and one warm start per evaluation that kept it.
+///
+/// The operator is called by one thread at a time.
 class Candidate_evaluation
 {
 public:
@@ -53,8 +71,9 @@ public:
 
   /// \param make_worker makes the worker of a thread
   /// \param number_of_threads 0 for all cores
-  /// \param callback asked before each evaluation, with the share of the candidates evaluated so far; `false` stops.
-  ///        May be empty.
+  /// \param visitor told of each evaluation, by one thread at a time; may be null
+  /// \param callback asked before each evaluation, by one thread at a time, with the share of the candidates evaluated
+  ///        so far; `false` stops. May be empty.
   Candidate_evaluation(int number_of_candidates, const std::function<Worker()>& make_worker,
                        unsigned int number_of_threads, Search_visitor* visitor, std::function<bool(double)> callback)
     : m_number_of_candidates(number_of_candidates),
@@ -64,12 +83,15 @@ public:
       m_callback(std::move(callback))
   {}
 
-  /// the objective of \p candidates, in their order. Throws `Search_cancelled` as soon as the candidates that are under
-  /// way are finished when the callback or the visitor asks to stop.
+  /// the objective of \p candidates, in their order. Throws `Unmappable` before anything is mapped when one of them
+  /// does not exist, and `Search_cancelled` as soon as the candidates that are under way are finished when the callback
+  /// asks to stop.
   /// \param start_from_neighbors maps start from the nearest candidate of an earlier call (ties: the lower index) of
   ///        which the warm start was kept, as those of these calls are
   std::vector<double> operator()(const std::vector<int>& candidates, bool start_from_neighbors = false)
   {
+    for(int candidate : candidates)
+      check_candidate(candidate, m_number_of_candidates);
     std::vector<int> missing;
     std::vector<const Uv_coordinates*> warm_starts;
     for(int candidate : candidates)
@@ -97,6 +119,9 @@ public:
 
   const Minimized_map& best_map() const { return m_best_map; }
 
+  /// indicates whether no candidate was mapped, and no call was cancelled
+  bool is_untouched() const { return m_samples.empty() && !m_is_cancelled; }
+
   /// frees the memory of the threads. \pre no more candidates are evaluated
   void release_workers() { m_workers.clear(); }
 
@@ -117,13 +142,11 @@ public:
 private:
   static constexpr double INFEASIBLE = std::numeric_limits<double>::infinity();
 
-  /// asks the callback and the visitor, one thread at a time
+  /// asks the callback, one thread at a time
   bool may_continue()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
     if(!m_is_cancelled && m_callback && !m_callback(double(m_finished) / m_number_of_candidates))
-      m_is_cancelled = true;
-    if(!m_is_cancelled && m_visitor != nullptr && !m_visitor->may_continue())
       m_is_cancelled = true;
     return !m_is_cancelled;
   }

@@ -19,7 +19,17 @@ struct Search_outcome
   Search_report report;
 };
 
-/// searches the corners of the square among the candidates of \p search and maps the patch for the best of them
+/// refuses a strategy of which a number is out of its range
+inline void check_corner_search(const Corner_search& search)
+{
+  if(!search.is_valid())
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                     "a number of the corner search is out of its range");
+}
+
+/// searches the corners of the square among the candidates of \p search and maps the patch for the best of them.
+/// Throws `Unmappable` for a strategy with a number out of range, that asks for a candidate that does not exist, or for
+/// none.
 Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
                                  const Square_search_options& options);
 

@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SQUARE_SEARCH_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <algorithm>
@@ -32,6 +32,7 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, co
                                                           const Corner_search& search,
                                                           const Square_search_options& options)
 {
+  check_corner_search(search);
   const Border_walk walk(patch.border_lengths, options.walk);
   const auto border_of = [&](int candidate) {
     return square_border(walk, corners_of_candidate(walk, candidate, options.corner_rule));
@@ -51,10 +52,7 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, co
   std::optional<Candidate_evaluation> sketches;
   if(minimizer.has_sketches()) {
     const auto make_sketching_worker = [&] { return for_candidates(minimizer.make_sketching_worker()); };
-    const auto may_continue = [&options](double) {
-      return (!options.callback || options.callback(0)) &&
-             (options.visitor == nullptr || options.visitor->may_continue());
-    };
+    const auto may_continue = [&options](double) { return !options.callback || options.callback(0); };
     sketches.emplace(problem.number_of_candidates, make_sketching_worker, threads, nullptr, may_continue);
     problem.sketched_objective_of = [&](const std::vector<int>& candidates) { return (*sketches)(candidates); };
   }
@@ -67,11 +65,7 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, co
 
   if(options.visitor != nullptr)
     options.visitor->start_search(problem.number_of_candidates);
-  try {
-    search(problem);
-  } catch(const Search_cancelled&) {
-    // the best so far is delivered, and the report says so
-  }
+  run_corner_search(search, std::move(problem), evaluation);
   evaluation.release_workers();
   Search_outcome outcome{minimizer.finish(evaluation.best_map()), evaluation.report()};
   if(sketches) {

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_RUN_CORNER_SEARCH_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_RUN_CORNER_SEARCH_H
+
+#include <CGAL_ext/Square_parameterization/corner_searches.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+
+#include <utility>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// lets a strategy, which may be a user's, ask for candidates until it is done or the search is cancelled. Throws
+/// `Unmappable` when it asks for one that does not exist, and when it asks for none.
+/// \param problem what the strategy sees; its objectives come from `evaluation`
+inline void run_corner_search(const Corner_search& search, Corner_search_problem problem,
+                              const Candidate_evaluation& evaluation)
+{
+  if(problem.corner_distances)
+    problem.corner_distances = [distances = std::move(problem.corner_distances),
+                                candidates = problem.number_of_candidates](int candidate) {
+      check_candidate(candidate, candidates);
+      return distances(candidate);
+    };
+  try {
+    search(problem);
+  } catch(const Search_cancelled&) {
+    return; // the best so far is delivered, and the report says so
+  }
+  if(evaluation.is_untouched())
+    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                     "the corner search asked for no candidate");
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_RUN_CORNER_SEARCH_H

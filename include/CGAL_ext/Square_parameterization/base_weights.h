@@ -4,12 +4,12 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_BASE_WEIGHTS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_BASE_WEIGHTS_H
 
+#include <CGAL_ext/Square_parameterization/base_weight_types.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/edge_weights.h>
 
-namespace CGAL_ext {
+#include <CGAL/assertions.h>
 
-using internal::Edge_weights; // what a model of `BaseWeights` returns
-using internal::Patch;        // what it is given
+namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationWeights
 ///
@@ -29,7 +29,11 @@ class Clamped_cotangent_weights
 {
 public:
   /// \param least_weight positive, dimensionless (an equilateral mesh has weights 0.577)
-  explicit Clamped_cotangent_weights(double least_weight = 0.01) : m_least_weight(least_weight) {}
+  /// \pre `least_weight` is positive and finite
+  explicit Clamped_cotangent_weights(double least_weight = 0.01) : m_least_weight(least_weight)
+  {
+    CGAL_precondition(least_weight > 0 && std::isfinite(least_weight));
+  }
 
   Edge_weights operator()(const Patch& patch) const
   {
@@ -54,7 +58,11 @@ class Blended_weights
 {
 public:
   /// \param mean_value_share share of the mean value coordinates, in ]0, 1], dimensionless
-  explicit Blended_weights(double mean_value_share = 0.2) : m_mean_value_share(mean_value_share) {}
+  /// \pre `mean_value_share` is in ]0, 1]
+  explicit Blended_weights(double mean_value_share = 0.2) : m_mean_value_share(mean_value_share)
+  {
+    CGAL_precondition(mean_value_share > 0 && mean_value_share <= 1);
+  }
 
   Edge_weights operator()(const Patch& patch) const
   {

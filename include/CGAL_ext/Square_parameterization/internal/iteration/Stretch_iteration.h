@@ -41,7 +41,7 @@ public:
   Stretch_iteration(const Patch& patch, const Stretch_minimization& options,
                     Linear_solver_factory make_solver = make_direct_solver)
     : m_patch(patch),
-      m_system(patch, options.weights(patch)),
+      m_system(patch, checked(options.weights(patch), patch)),
       m_make_solver(std::move(make_solver)),
       m_options(options),
       m_first_solver(m_make_solver(m_system.is_symmetric()))

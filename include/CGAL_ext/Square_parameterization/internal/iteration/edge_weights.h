@@ -6,30 +6,14 @@
 
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
-#include <array>
-#include <vector>
-
 namespace CGAL_ext {
 namespace internal {
 
-/// weights of a convex combination map: for edge e = (a, b) of the patch, `values[e][0]` is the weight of b in the
-/// equation of a and `values[e][1]` the weight of a in the equation of b. Weights are dimensionless up to a factor
-/// common to one vertex (to the whole patch if they are symmetric).
-struct Edge_weights
-{
-  std::vector<std::array<double, 2>> values; ///< #E by 2
-  bool is_symmetric = false;                 ///< both weights of every edge are equal
+using CGAL_ext::Edge_weights;
 
-  explicit Edge_weights(const Patch& patch, double value = 0, bool symmetric = false)
-    : values(patch.edges.size(), {value, value}), is_symmetric(symmetric)
-  {}
-
-  /// adds \p value to the weight that `neighbor` has in the equation of `vertex`
-  void add(const Patch& patch, int edge, int vertex, double value)
-  {
-    values[edge][patch.edges[edge][0] == vertex ? 0 : 1] += value;
-  }
-};
+/// the weights that a policy, which may be a user's, returned for a disk. Throws `Unmappable` when they are not two for
+/// each edge, or said to be symmetric and are not.
+Edge_weights checked(Edge_weights weights, const Patch& patch);
 
 /// half the cotangents of the angles opposite to an edge, summed: the harmonic weights of Eck et al. 1995
 Edge_weights cotangent_weights(const Patch& patch);

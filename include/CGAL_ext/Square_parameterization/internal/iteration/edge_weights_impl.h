@@ -9,11 +9,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
+
+CGAL_EXT_INLINE_FUNCTION Edge_weights checked(Edge_weights weights, const Patch& patch)
+{
+  namespace SMP = CGAL::Surface_mesh_parameterization;
+  if(weights.values.size() != patch.edges.size())
+    throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the base weights are for " + std::to_string(weights.values.size()) +
+                                                     " edges; the surface has " + std::to_string(patch.edges.size()));
+  if(weights.is_symmetric)
+    for(std::size_t e = 0; e < weights.values.size(); ++e)
+      if(weights.values[e][0] < weights.values[e][1] || weights.values[e][1] < weights.values[e][0])
+        throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the base weights are said to be symmetric, but the two of edge " +
+                                                         std::to_string(e) + " differ");
+  return weights;
+}
 
 /// side vectors of a flat triangle: side k runs from corner k + 1 to corner k + 2, opposite to corner k
 inline std::array<Eigen::Vector2d, 3> sides_of(const Flat_triangle& shape)

@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_FLAT_TRIANGLE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_FLAT_TRIANGLE_H
 
+#include <CGAL_ext/Square_parameterization/base_weight_types.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -19,14 +21,7 @@ constexpr double LEAST_LENGTH = 1e-4;
 /// the height, in the same units, below which a face is degenerate. Thinner ones have no maps with digits to spare.
 constexpr double DEGENERATE_HEIGHT = 1e-8;
 
-/// a triangle laid into its own plane, counter-clockwise, with corners (0, 0), (`x1`, 0) and (`x2`, `y2`);
-/// `x1` and `y2` are positive
-struct Flat_triangle
-{
-  double x1, x2, y2;
-
-  double area() const { return x1 * y2 / 2; }
-};
+using CGAL_ext::Flat_triangle;
 
 /// lays triangle `pqr` into the plane; a height or a base that is lost in the rounding of the coordinates gives an
 /// `y2` of zero

@@ -22,28 +22,7 @@ namespace internal {
 /// uv coordinates, #V by 2: row `v` is the image of vertex `v`
 using Uv_coordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-/// a topological disk as flat arrays: the form in which everything below the plug-ins sees a mesh.
-///
-/// Lengths are scaled so that the area of the patch is 1, the area of the square it will be mapped to. A
-/// degenerate face counts with the shape that `widened()` gives it, as short a border edge as `LEAST_LENGTH` long.
-struct Patch
-{
-  std::vector<Eigen::Vector3d> points;            ///< #V
-  std::vector<std::array<int, 3>> triangles;      ///< #F, vertices counter-clockwise
-  std::vector<Flat_triangle> shapes;              ///< #F
-  std::vector<int> border;                        ///< #B vertices, counter-clockwise in uv
-  std::vector<double> border_lengths;             ///< #B, edge k joins border[k] and border[k + 1]
-  std::vector<std::array<int, 2>> edges;          ///< #E, first index lower, sorted
-  std::vector<std::array<int, 3>> triangle_edges; ///< #F, edge k is opposite to corner k
-  std::vector<std::array<int, 2>> chords;         ///< interior edges between two border vertices
-  std::vector<double> vertex_areas;               ///< #V, area of the incident triangles
-  std::vector<int> degenerate_faces;              ///< lower than `least_height`, ascending
-  double least_height = 0; ///< `DEGENERATE_HEIGHT`, or more where coordinates carry less information
-  double rounding = 0;     ///< length below which the points carry no information
-
-  int number_of_vertices() const { return static_cast<int>(points.size()); }
-  int number_of_faces() const { return static_cast<int>(triangles.size()); }
-};
+using CGAL_ext::Patch;
 
 /// the rows of \p uv (#V by 2) for the border vertices: #B by 2
 inline Uv_coordinates border_coordinates(const Patch& patch, const Uv_coordinates& uv)

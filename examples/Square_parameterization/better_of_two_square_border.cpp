@@ -34,7 +34,7 @@ int main(int argc, char** argv)
   Print_search visitor;
   CGAL_ext::Square_search_options options;
   options.visitor = &visitor;
-  const Border border(options);
+  const Border border(CGAL_ext::Better_of_two_corner_search(), options);
   const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(border), bhd, uvmap);
   if(status != SMP::OK)
     std::cerr << CGAL_ext::error_message(status) << '\n';

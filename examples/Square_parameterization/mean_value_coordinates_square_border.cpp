@@ -36,7 +36,8 @@ int main(int argc, char** argv)
   Print_search visitor;
   CGAL_ext::Square_search_options options;
   options.visitor = &visitor;
-  const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(Border(0, options)), bhd, uvmap);
+  const Border border(CGAL_ext::Hybrid_corner_search(), options);
+  const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(border), bhd, uvmap);
   if(status != SMP::OK) {
     std::cerr << CGAL_ext::error_message(status) << '\n';
     return EXIT_FAILURE;

@@ -34,8 +34,9 @@ int main(int argc, char** argv)
   Print_search visitor;
   CGAL_ext::Square_search_options options;
   options.visitor = &visitor;
-  const unsigned int particles = 6, iterations = 10, patience = 3, seed = 42;
-  const Border border(particles, iterations, patience, seed, options);
+  const int particles = 6, iterations = 10, patience = 3;
+  const unsigned int seed = 42;
+  const Border border(CGAL_ext::Particle_swarm_corner_search(particles, iterations, patience, seed), options);
   const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(border), bhd, uvmap);
   if(status != SMP::OK)
     std::cerr << CGAL_ext::error_message(status) << '\n';

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Bracketing_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Stretch_optimal_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/error_message.h>
 #include <CGAL_ext/Square_parameterization/mark_seams.h>
 #include <CGAL_ext/Square_parameterization/split_chords.h>
 
@@ -47,6 +48,9 @@ int main(int argc, char** argv)
   Print_search visitor;
   CGAL_ext::Square_search_options options;
   options.visitor = &visitor;
-  const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(Border(0, options)), bhd, uvmap);
+  const Border border(CGAL_ext::Bracketing_corner_search(), options);
+  const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(border), bhd, uvmap);
+  if(status != SMP::OK)
+    std::cerr << CGAL_ext::error_message(status) << '\n';
   return status == SMP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,6 +5,7 @@
 #include <CGAL_ext/Square_parameterization/Brute_force_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Stretch_minimizing_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/error_message.h>
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
@@ -41,6 +42,7 @@ int main(int argc, char** argv)
     std::cerr << CGAL_ext::error_message(status) << std::endl;
     return EXIT_FAILURE;
   }
+  std::cout << "L2 stretch " << CGAL_ext::measure_stretch(mesh, uvmap).l2 << std::endl;
   std::ofstream out("square.off"); // the flat mesh
   out.precision(17);
   SMP::IO::output_uvmap_to_off(mesh, bhd, uvmap, out);

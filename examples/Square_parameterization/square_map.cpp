@@ -35,7 +35,7 @@ public:
   void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
   {
     m_best = (std::min)(m_best, sample.objective);
-    std::cerr << "\r" << ++m_evaluations << " of at most " << m_candidates << " candidates, least stretch " << m_best
+    std::cerr << "\r" << ++m_evaluations << " of at most " << m_candidates << " candidates, least objective " << m_best
               << "   " << std::flush;
   }
 

@@ -35,7 +35,7 @@ int main(int argc, char** argv)
   CGAL_ext::Square_search_options options;
   options.visitor = &visitor;
   const int step = 3; // 0 lets the formula of the paper decide
-  const Border border(step, options);
+  const Border border(CGAL_ext::Step_sampling_corner_search(step), options);
   const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(border), bhd, uvmap);
   if(status != SMP::OK)
     std::cerr << CGAL_ext::error_message(status) << '\n';

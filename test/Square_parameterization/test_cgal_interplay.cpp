@@ -31,25 +31,14 @@ Surface_mesh curved_mesh()
 /// a policy as the concept BaseWeights asks for, and nothing more
 struct Inverse_length_weights
 {
-  internal::Edge_weights operator()(const internal::Patch& patch) const
+  Edge_weights operator()(const Patch& patch) const
   {
-    internal::Edge_weights weights(patch, 0, true);
+    Edge_weights weights(patch, 0, true);
     for(std::size_t e = 0; e < patch.edges.size(); ++e) {
       const double w = 1 / (patch.points[patch.edges[e][0]] - patch.points[patch.edges[e][1]]).norm();
       weights.values[e] = {w, w};
     }
     return weights;
-  }
-};
-
-/// a policy as the concept CornerSearch asks for, and nothing more
-struct Last_candidate_corner_search
-{
-  Candidate_set candidate_set() const { return Candidate_set::FULL; }
-
-  void operator()(const Corner_search_problem& problem) const
-  {
-    problem.objective_of({problem.number_of_candidates - 1});
   }
 };
 
@@ -213,16 +202,4 @@ TEST_CASE("base weights of a user work in the parameterizer and in the free func
   Uv_storage<Surface_mesh, Point_2> storage;
   CHECK(parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options)).status == SMP::OK);
   CHECK(count_orientations(mesh, storage).counterclockwise == mesh.number_of_faces());
-}
-
-TEST_CASE("a search of a user works in the free function")
-{
-  Surface_mesh mesh = curved_mesh();
-  Square_map_options options;
-  options.search = Last_candidate_corner_search();
-  Uv_storage<Surface_mesh, Point_2> storage;
-  const auto result = parameterize_onto_square(mesh, storage.map(), CGAL_ext::parameters::options(options));
-  REQUIRE(result.status == SMP::OK);
-  CHECK(result.search.evaluations == 1);
-  CHECK(result.search.best_candidate == 4 * 7 - 1);
 }

@@ -8,16 +8,21 @@
 
 #include <iostream>
 
-/// prints what a search found: parameterizers are copied, results come through a visitor
+/// prints what a search found, and how good its best map is: parameterizers are copied, results come through a visitor
 struct Print_search : CGAL_ext::Search_visitor
 {
   void end_search(const CGAL_ext::Search_report& report) override
   {
-    std::cout << report.evaluations << " of " << report.candidates << " candidates evaluated; L2 stretch "
-              << report.best_objective << " with the corners at border positions";
+    std::cout << report.evaluations << " of " << report.candidates
+              << " candidates evaluated; the corners are at border positions";
     for(int corner : report.corners)
       std::cout << ' ' << corner;
     std::cout << '\n';
+  }
+
+  void end_minimization(const CGAL_ext::Minimization_report& report) override
+  {
+    std::cout << "L2 stretch of the best map: " << report.l2 << '\n';
   }
 };
 

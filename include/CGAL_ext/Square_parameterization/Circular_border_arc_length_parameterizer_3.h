@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/Face_graph_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL_ext {
@@ -16,6 +17,8 @@ namespace CGAL_ext {
 ///
 /// parameterizes the border of a disk onto a circle around the origin by arc length, counter-clockwise, the source of
 /// the border halfedge at (radius, 0).
+///
+/// Thread safety: one object may be used by several threads at a time.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -37,15 +40,15 @@ public:
   /// An edge shorter than 1e-8 sqrt(area) counts as 1e-4 sqrt(area) long, with the area of the connected component, as
   /// in the border parameterizers that search: no two vertices coincide. Complexity: linear in the component.
   /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices, `ERROR_NO_1_TO_1_MAPPING` for a
-  ///         surface without area, or `ERROR_WRONG_PARAMETER` for a radius that is not positive, or a coordinate that
-  ///         is not finite
+  ///         surface without area, or `ERROR_WRONG_PARAMETER` for a radius that is not positive and finite, or a
+  ///         coordinate that is not finite
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                                                                VertexUVMap uvmap, VertexIndexMap /* vimap */,
                                                                VertexParameterizedMap vpmap) const
   {
     namespace SMP = CGAL::Surface_mesh_parameterization;
-    if(!(m_radius > 0))
+    if(!(m_radius > 0 && std::isfinite(m_radius)))
       return SMP::ERROR_WRONG_PARAMETER;
     if(bhd == boost::graph_traits<Triangle_mesh>::null_halfedge())
       return SMP::ERROR_BORDER_TOO_SHORT;

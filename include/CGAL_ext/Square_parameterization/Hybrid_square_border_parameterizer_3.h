@@ -5,7 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_HYBRID_SQUARE_BORDER_PARAMETERIZER_3_H
 
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
-#include <CGAL_ext/Square_parameterization/internal/plug_in/Square_border_search_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/Square_border_corner_search_parameterizer_3.h>
 
 namespace CGAL_ext {
 
@@ -14,8 +14,8 @@ namespace CGAL_ext {
 /// parameterizes the border of a disk onto the unit square by arc length, with corners found by the hybrid search: from
 /// the better of two predictions it walks both ways, then looks at every candidate around the best.
 ///
-/// What the border parameterizers that search have in common, and what `parameterize()` returns, is said at
-/// `Brute_force_square_border_parameterizer_3`.
+/// Constructor, errors and thread safety are those of `Square_border_corner_search_parameterizer_3`; the numbers of the
+/// search are those of its object.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -23,22 +23,8 @@ namespace CGAL_ext {
 ///
 /// \sa `CGAL_ext::Hybrid_corner_search`
 template <class TriangleMesh_>
-class Hybrid_square_border_parameterizer_3
-  : public internal::Square_border_search_parameterizer_3<TriangleMesh_, Hybrid_corner_search>
-{
-  typedef internal::Square_border_search_parameterizer_3<TriangleMesh_, Hybrid_corner_search> Base;
-
-public:
-  /// constructs the parameterizer.
-  /// \param interval stride of the walks, in candidates; 0 for the formula of the paper
-  /// \param options options that all searches share
-  /// \param objective what is minimised when another parameterizer than `Stretch_minimizing_parameterizer_3` uses this
-  ///        border
-  explicit Hybrid_square_border_parameterizer_3(int interval = 0, Square_search_options options = {},
-                                                Stretch_minimization objective = {})
-    : Base(Hybrid_corner_search(interval), std::move(options), std::move(objective))
-  {}
-};
+using Hybrid_square_border_parameterizer_3 =
+    Square_border_corner_search_parameterizer_3<TriangleMesh_, Hybrid_corner_search>;
 
 } // namespace CGAL_ext
 

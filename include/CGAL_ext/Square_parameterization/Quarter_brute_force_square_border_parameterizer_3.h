@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_QUARTER_BRUTE_FORCE_SQUARE_BORDER_PARAMETERIZER_3_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_QUARTER_BRUTE_FORCE_SQUARE_BORDER_PARAMETERIZER_3_H
 
+#include <CGAL_ext/Square_parameterization/Square_border_corner_search_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
-#include <CGAL_ext/Square_parameterization/internal/plug_in/Square_border_search_parameterizer_3.h>
 
 namespace CGAL_ext {
 
@@ -15,8 +15,7 @@ namespace CGAL_ext {
 /// vertices of the first quarter of the border to (0, 0): the optimum of these, with about a quarter of the evaluations
 /// of `Brute_force_square_border_parameterizer_3`.
 ///
-/// What the border parameterizers that search have in common, and what `parameterize()` returns, is said at
-/// `Brute_force_square_border_parameterizer_3`.
+/// Constructor, errors and thread safety are those of `Square_border_corner_search_parameterizer_3`.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -24,21 +23,8 @@ namespace CGAL_ext {
 ///
 /// \sa `CGAL_ext::Quarter_brute_force_corner_search`
 template <class TriangleMesh_>
-class Quarter_brute_force_square_border_parameterizer_3
-  : public internal::Square_border_search_parameterizer_3<TriangleMesh_, Quarter_brute_force_corner_search>
-{
-  typedef internal::Square_border_search_parameterizer_3<TriangleMesh_, Quarter_brute_force_corner_search> Base;
-
-public:
-  /// constructs the parameterizer.
-  /// \param options options that all searches share
-  /// \param objective what is minimised when another parameterizer than `Stretch_minimizing_parameterizer_3` uses this
-  ///        border
-  explicit Quarter_brute_force_square_border_parameterizer_3(Square_search_options options = {},
-                                                             Stretch_minimization objective = {})
-    : Base(Quarter_brute_force_corner_search(), std::move(options), std::move(objective))
-  {}
-};
+using Quarter_brute_force_square_border_parameterizer_3 =
+    Square_border_corner_search_parameterizer_3<TriangleMesh_, Quarter_brute_force_corner_search>;
 
 } // namespace CGAL_ext
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_SINGLE_HIGHEST_SQUARE_BORDER_PARAMETERIZER_3_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SINGLE_HIGHEST_SQUARE_BORDER_PARAMETERIZER_3_H
 
+#include <CGAL_ext/Square_parameterization/Square_border_corner_search_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
-#include <CGAL_ext/Square_parameterization/internal/plug_in/Square_border_search_parameterizer_3.h>
 
 namespace CGAL_ext {
 
@@ -14,8 +14,7 @@ namespace CGAL_ext {
 /// parameterizes the border of a disk onto the unit square by arc length, with corners found by one prediction: the
 /// border vertex of highest stretch on the circle goes to a corner.
 ///
-/// What the border parameterizers that search have in common, and what `parameterize()` returns, is said at
-/// `Brute_force_square_border_parameterizer_3`.
+/// Constructor, errors and thread safety are those of `Square_border_corner_search_parameterizer_3`.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -23,21 +22,8 @@ namespace CGAL_ext {
 ///
 /// \sa `CGAL_ext::Single_highest_corner_search`
 template <class TriangleMesh_>
-class Single_highest_square_border_parameterizer_3
-  : public internal::Square_border_search_parameterizer_3<TriangleMesh_, Single_highest_corner_search>
-{
-  typedef internal::Square_border_search_parameterizer_3<TriangleMesh_, Single_highest_corner_search> Base;
-
-public:
-  /// constructs the parameterizer.
-  /// \param options options that all searches share
-  /// \param objective what is minimised when another parameterizer than `Stretch_minimizing_parameterizer_3` uses this
-  ///        border
-  explicit Single_highest_square_border_parameterizer_3(Square_search_options options = {},
-                                                        Stretch_minimization objective = {})
-    : Base(Single_highest_corner_search(), std::move(options), std::move(objective))
-  {}
-};
+using Single_highest_square_border_parameterizer_3 =
+    Square_border_corner_search_parameterizer_3<TriangleMesh_, Single_highest_corner_search>;
 
 } // namespace CGAL_ext
 

@@ -24,6 +24,8 @@ namespace CGAL_ext {
 /// whatever the edge lengths, every border vertex lies on the square, and the map is not mirrored: faces that are
 /// counter-clockwise in 3D are counter-clockwise in the plane.
 ///
+/// Thread safety: one object may be used by several threads at a time.
+///
 /// \cgalModels `Parameterizer_3`
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`. Coordinates are read as `double`.

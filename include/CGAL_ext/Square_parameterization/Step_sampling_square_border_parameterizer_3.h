@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_STEP_SAMPLING_SQUARE_BORDER_PARAMETERIZER_3_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_STEP_SAMPLING_SQUARE_BORDER_PARAMETERIZER_3_H
 
+#include <CGAL_ext/Square_parameterization/Square_border_corner_search_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
-#include <CGAL_ext/Square_parameterization/internal/plug_in/Square_border_search_parameterizer_3.h>
 
 namespace CGAL_ext {
 
@@ -13,8 +13,8 @@ namespace CGAL_ext {
 ///
 /// parameterizes the border of a disk onto the unit square by arc length, with corners found by step sampling.
 ///
-/// What the border parameterizers that search have in common, and what `parameterize()` returns, is said at
-/// `Brute_force_square_border_parameterizer_3`.
+/// Constructor, errors and thread safety are those of `Square_border_corner_search_parameterizer_3`; the numbers of the
+/// search are those of its object.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -22,22 +22,8 @@ namespace CGAL_ext {
 ///
 /// \sa `CGAL_ext::Step_sampling_corner_search`
 template <class TriangleMesh_>
-class Step_sampling_square_border_parameterizer_3
-  : public internal::Square_border_search_parameterizer_3<TriangleMesh_, Step_sampling_corner_search>
-{
-  typedef internal::Square_border_search_parameterizer_3<TriangleMesh_, Step_sampling_corner_search> Base;
-
-public:
-  /// constructs the parameterizer.
-  /// \param step distance between samples, in candidates; 0 for the formula of the paper
-  /// \param options options that all searches share
-  /// \param objective what is minimised when another parameterizer than `Stretch_minimizing_parameterizer_3` uses this
-  ///        border
-  explicit Step_sampling_square_border_parameterizer_3(int step = 0, Square_search_options options = {},
-                                                       Stretch_minimization objective = {})
-    : Base(Step_sampling_corner_search(step), std::move(options), std::move(objective))
-  {}
-};
+using Step_sampling_square_border_parameterizer_3 =
+    Square_border_corner_search_parameterizer_3<TriangleMesh_, Step_sampling_corner_search>;
 
 } // namespace CGAL_ext
 

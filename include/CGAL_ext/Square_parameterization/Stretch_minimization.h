@@ -12,13 +12,14 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// the stretch-minimizing parameterization (Yoshizawa, Belyaev and Seidel 2004) with its numbers: what a search
-/// minimises when its border parameterizer serves a parameterizer of CGAL, and what `parameterize_onto_square()` does when
-/// its options say so. `Hybrid_corner_search` suits it.
+/// the stretch-minimizing parameterization (Yoshizawa, Belyaev and Seidel 2004) with its numbers: what
+/// `Stretch_minimizing_parameterizer_3` does, what a search minimises when its border parameterizer serves a
+/// parameterizer of CGAL, and what `parameterize_onto_square()` does instead of its default, `Balanced_minimization`,
+/// when its options say so. `Hybrid_corner_search` suits it.
 struct Stretch_minimization
 {
   /// the weights of the first system: any model of `BaseWeights`
-  std::function<internal::Edge_weights(const internal::Patch&)> weights = Blended_weights();
+  std::function<Edge_weights(const Patch&)> weights = Blended_weights();
 
   /// exponent of the stretch by which weights are divided; dimensionless, in ]0, 1]; 1 is the paper's. The first
   /// iterations take 0.7, 0.49, ... where `eta` is less. The smaller, the more iterations and, by 0 to 1 %, the lower

@@ -11,6 +11,8 @@
 
 #include <CGAL/Default.h>
 
+#include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -40,8 +42,16 @@ namespace CGAL_ext {
 /// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` (with a border that does not search), `ERROR_NO_1_TO_1_MAPPING` (also when no
 /// face has an area), `ERROR_BORDER_TOO_SHORT` for fewer than four border vertices,
 /// `ERROR_NON_TRIANGULAR_MESH` or `ERROR_NO_TOPOLOGICAL_DISC` when the connected component at the border halfedge is
-/// not a triangulated disk, or `ERROR_WRONG_PARAMETER` when a coordinate is not finite or `eta` is out of range. The uv
-/// map is written only on `OK`, but for border vertices when the border parameterizer does not search.
+/// not a triangulated disk, or `ERROR_WRONG_PARAMETER` when a coordinate is not finite, when `eta` or a number of the
+/// search is out of range, when the base weights do not fit the disk, or when the search asks for a candidate that does
+/// not exist, or for none. The uv map is written only on `OK`, but for border vertices when the border parameterizer
+/// does not search.
+///
+/// The course of the search and of the minimization is told to the visitor of the border parameterizer's
+/// `Square_search_options`. A border that does not search has no visitor: `measure_stretch()` measures the map.
+///
+/// Thread safety: copies of one object may map at the same time, also different components of one mesh, if border,
+/// weights and visitor may be used so, and the property maps may be written so.
 ///
 /// Complexity: per iteration a sparse Cholesky factorization (LU for weights that are not symmetric), about
 /// \f$ V^{1.5} \f$ operations; the symbolic analysis is done once.
@@ -77,15 +87,18 @@ public:
   /// \param eta exponent of the stretch by which weights are divided; dimensionless, in ]0, 1], 1 is the paper's
   /// \param patience number of iterates in a row that may fail to be lower before the iteration stops; 0 is the paper's
   /// \param maximum_iterations largest number of linear systems solved after the first
-  /// \param visitor is told how the minimization of the delivered map went; may be null
+  /// \param sparse_la solves the linear systems; none: each system has a solver of its own. One that is given serves
+  ///        one thread at a time, since its copies may share their state, as those of `CGAL::Eigen_solver_traits` do:
+  ///        it makes a search on several threads slower.
   explicit Stretch_minimizing_parameterizer_3(Border_parameterizer border = Border_parameterizer(),
                                               Base_weights weights = Base_weights(), double eta = 0.3,
                                               unsigned int patience = 1, unsigned int maximum_iterations = 100,
-                                              Search_visitor* visitor = nullptr)
-    : m_border(std::move(border)),
-      m_minimization{std::move(weights), eta, patience, maximum_iterations},
-      m_visitor(visitor)
-  {}
+                                              std::optional<Solver_traits> sparse_la = std::nullopt)
+    : m_border(std::move(border)), m_minimization{std::move(weights), eta, patience, maximum_iterations}
+  {
+    if(sparse_la)
+      m_solver = std::make_shared<internal::Given_solver<Solver_traits>>(std::move(*sparse_la));
+  }
 
   /// maps the connected component of \p mesh at the border halfedge \p bhd.
   ///
@@ -102,23 +115,25 @@ public:
     if(!m_minimization.is_valid())
       return CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER;
     const auto make_minimizer = [this](const internal::Patch& patch) {
-      return internal::make_minimizer(patch, m_minimization, &make_solver);
+      return internal::make_minimizer(patch, m_minimization, solver_factory());
     };
-    return internal::parameterize_with(make_minimizer, m_border, m_visitor, mesh, bhd, uvmap, vimap, vpmap);
+    return internal::parameterize_with(make_minimizer, m_border, mesh, bhd, uvmap, vimap, vpmap);
   }
 
 private:
-  static std::unique_ptr<internal::Linear_solver> make_solver(bool is_symmetric)
+  internal::Linear_solver_factory solver_factory() const
   {
     if constexpr(std::is_same_v<SolverTraits_, CGAL::Default>)
-      return internal::make_direct_solver(is_symmetric);
+      return internal::make_direct_solver;
     else
-      return std::make_unique<internal::Cgal_linear_solver<SolverTraits_>>(is_symmetric);
+      return [given = m_solver](bool is_symmetric) -> std::unique_ptr<internal::Linear_solver> {
+        return std::make_unique<internal::Cgal_linear_solver<Solver_traits>>(is_symmetric, given);
+      };
   }
 
   Border_parameterizer m_border;
   Stretch_minimization m_minimization;
-  Search_visitor* m_visitor;
+  std::shared_ptr<internal::Given_solver<Solver_traits>> m_solver; // of all copies of this; null: one per system
 };
 
 } // namespace CGAL_ext

@@ -29,10 +29,10 @@ namespace CGAL_ext {
 /// parameterizer is taken as it is; when it mirrors the border, as CGAL's square borders do, the map is mirrored. A
 /// border that is not the unit square does not slide.
 ///
-/// `parameterize()` returns what `Stretch_minimizing_parameterizer_3` returns; `ERROR_WRONG_PARAMETER` when the balance
-/// or a tolerance is out of range.
+/// `parameterize()` returns what `Stretch_minimizing_parameterizer_3` returns, and `ERROR_WRONG_PARAMETER` also when the
+/// balance or a tolerance is out of range. Its visitor and its thread safety are those of that class, too.
 ///
-/// Complexity: about linear but for two sparse Cholesky factorizations per eight steps, about \f$ V^{1.5} \f$
+/// Complexity: about linear but for two sparse Cholesky factorizations per four to eight steps, about \f$ V^{1.5} \f$
 /// operations each; the sequence of coarser meshes and the symbolic analysis are made once.
 ///
 /// \cgalModels `Parameterizer_3`
@@ -58,10 +58,9 @@ public:
   /// constructs the parameterizer.
   /// \param border maps the border
   /// \param minimization the balance, whether the border slides, and when to stop
-  /// \param visitor is told how the minimization of the delivered map went; may be null
   explicit Stretch_optimal_parameterizer_3(Border_parameterizer border = Border_parameterizer(),
-                                           Balanced_minimization minimization = {}, Search_visitor* visitor = nullptr)
-    : m_border(std::move(border)), m_minimization(minimization), m_visitor(visitor)
+                                           Balanced_minimization minimization = {})
+    : m_border(std::move(border)), m_minimization(std::move(minimization))
   {}
 
   /// maps the connected component of \p mesh at the border halfedge \p bhd; see
@@ -75,13 +74,12 @@ public:
     const auto make_minimizer = [this](const internal::Patch& patch) {
       return internal::make_minimizer(patch, m_minimization);
     };
-    return internal::parameterize_with(make_minimizer, m_border, m_visitor, mesh, bhd, uvmap, vimap, vpmap);
+    return internal::parameterize_with(make_minimizer, m_border, mesh, bhd, uvmap, vimap, vpmap);
   }
 
 private:
   Border_parameterizer m_border;
   Balanced_minimization m_minimization;
-  Search_visitor* m_visitor;
 };
 
 } // namespace CGAL_ext

@@ -9,6 +9,8 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <cstddef>
 #include <limits>
 #include <unordered_map>
@@ -91,6 +93,7 @@ Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap, Ve
                                  VertexStretchMap vertex_stretch)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  CGAL_precondition(CGAL::is_triangle_mesh(mesh));
   std::vector<vertex_descriptor> vertex_list(vertices(mesh).begin(), vertices(mesh).end());
   std::unordered_map<vertex_descriptor, int> index;
   for(std::size_t v = 0; v < vertex_list.size(); ++v)

@@ -15,6 +15,14 @@
 namespace CGAL_ext {
 namespace internal {
 
+/// runs a task that may be parallel itself, so that its thread takes up no other tasks while it waits: what a thread
+/// does with a mutex locked
+template <class Task>
+auto run_isolated(const Task& task)
+{
+  return tbb::this_task_arena::isolate(task);
+}
+
 /// runs independent tasks on a given number of threads
 class Thread_team
 {

@@ -32,13 +32,13 @@ struct Searches_corners<Border, std::void_t<decltype(std::declval<const Border&>
 /// what the parameterizers of this package do in `parameterize()`: they differ in the minimizer that
 /// \p make_minimizer makes for a patch.
 ///
-/// With a border parameterizer that searches, the best map of the search is the result, and is not computed twice. Any
-/// other is taken as it is, mirrored or not.
+/// With a border parameterizer that searches, the best map of the search is the result, and is not computed twice; the
+/// visitor of the search is told of it. Any other is taken as it is, mirrored or not.
 template <class TriangleMesh, class Border, class MakeMinimizer, class VertexUVmap, class VertexIndexMap,
           class VertexParameterizedMap>
-Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border, Search_visitor* visitor,
-                             TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                             VertexUVmap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border, TriangleMesh& mesh,
+                             typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVmap uvmap,
+                             VertexIndexMap vimap, VertexParameterizedMap vpmap)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   if(!border.is_border_convex())
@@ -56,8 +56,6 @@ Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border
         return status;
       map = minimizer->map_border(read_uv(select(vertices, patch.border), uvmap));
     }
-    if(visitor != nullptr)
-      visitor->end_minimization(map.report);
     if(map.uv.rows() == 0)
       return map.report.stop_reason == Stop_reason::CANNOT_SOLVE ? SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM
                                                                  : SMP::ERROR_NO_1_TO_1_MAPPING;

@@ -70,7 +70,7 @@ int main(int argc, char** argv)
   Progress progress;
   CGAL_ext::Square_search_options options;
   options.visitor = &progress;
-  options.callback = [&](double) { return progress.least_l2 > 1.01; }; // good enough
+  options.callback = [&](double) { return progress.least_l2 > 1.178; }; // good enough
   const Border border(Halving_corner_search(), options);
   const SMP::Error_code status = SMP::parameterize(mesh, Parameterizer(border), bhd, uvmap);
   if(status != SMP::OK) {

@@ -30,9 +30,10 @@ struct Search_report
   std::size_t sketches = 0; ///< number of candidates that were mapped on a coarser mesh, to choose those to be mapped
   int best_candidate = -1;  ///< -1 when no candidate has a one-to-one map
   double best_objective = std::numeric_limits<double>::infinity(); ///< of the best candidate
-  std::array<int, 4> corners{}; ///< positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1)
-  std::vector<Sample> curve;    ///< the evaluated candidates, in the order of the candidates
-  bool is_cancelled = false;    ///< the callback stopped the search: the best so far is reported
+  /// positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1); 0 without a map
+  std::array<int, 4> corners{};
+  std::vector<Sample> curve; ///< the evaluated candidates, in the order of the candidates
+  bool is_cancelled = false; ///< the callback stopped the search: the best so far is reported
 };
 
 } // namespace CGAL_ext

@@ -59,16 +59,17 @@ def read_table(path, header):
 
 
 class Runner:
-    """runs programs, and keeps what they print"""
+    """runs programs, each once with the same arguments, and keeps what they print"""
 
     def __init__(self, arguments):
         self.bin, self.meshes, self.output = arguments.bin, arguments.meshes, arguments.output
-        self.reuse = arguments.reuse
+        self.reuse, self.done = arguments.reuse, set()
         self.output.mkdir(parents=True, exist_ok=True)
 
     def __call__(self, name, command):
         kept = self.output / (name + '.txt')
-        if not (self.reuse and kept.exists()):
+        if not ((self.reuse and kept.exists()) or kept in self.done):
+            self.done.add(kept)
             print('  ' + ' '.join(str(word) for word in command), file=sys.stderr, flush=True)
             unfinished = kept.with_suffix('.part')
             with open(unfinished, 'w') as output:

@@ -69,10 +69,10 @@ TEST_CASE("only ears may be split, as the authors did")
 {
   // one row of six cells: each end has one ear; the other chords stay
   Surface_mesh strip = make_mesh<Surface_mesh>(rectangle(6, 1, 6, 1, 1));
-  CHECK(split_chords(strip, get(CGAL::vertex_point, strip), Chords::EARS) == 2);
+  CHECK(split_chords(strip, parameters::chords(Chords::EARS)) == 2);
   CHECK(CGAL::is_valid_polygon_mesh(strip));
   Surface_mesh fan = make_mesh<Surface_mesh>(fan_with_ears(12, 3));
-  CHECK(split_chords(fan, get(CGAL::vertex_point, fan), Chords::EARS) == 4);
+  CHECK(split_chords(fan, parameters::chords(Chords::EARS).vertex_point_map(fan.points())) == 4);
 }
 
 TEST_CASE("the plug-in passes over candidates whose chords lie on a side, and does not change the mesh")

@@ -142,7 +142,8 @@ TEST_CASE("defect 3: the measures agree with an independent computation, per ver
     uv.emplace_back(uvmap[v].x(), uvmap[v].y());
   auto vertex_stretch = mesh.add_property_map<vertex_descriptor, double>("v:stretch").first;
 
-  const Stretch_measures measures = measure_stretch(mesh, uvmap, mesh.points(), vertex_stretch);
+  const Stretch_measures measures =
+      measure_stretch(mesh, uvmap, parameters::vertex_stretch_map(vertex_stretch).vertex_point_map(mesh.points()));
   const Reference_stretch expected = reference_stretch(flat.points, flat.triangles, uv);
   CHECK(measures.l2 == Approx(expected.l2).epsilon(1e-12));
   CHECK(measures.linf == Approx(expected.linf).epsilon(1e-12));

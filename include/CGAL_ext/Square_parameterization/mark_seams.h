@@ -6,7 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
-#include <CGAL_ext/Square_parameterization/internal/common/options_parameter.h>
+#include <CGAL_ext/Square_parameterization/internal/common/named_parameters.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Mesh_edges.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>

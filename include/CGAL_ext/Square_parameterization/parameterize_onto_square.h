@@ -7,7 +7,7 @@
 #include <CGAL_ext/Square_parameterization/Square_map_options.h>
 #include <CGAL_ext/Square_parameterization/Square_map_result.h>
 #include <CGAL_ext/Square_parameterization/error_message.h>
-#include <CGAL_ext/Square_parameterization/internal/common/options_parameter.h>
+#include <CGAL_ext/Square_parameterization/internal/common/named_parameters.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>

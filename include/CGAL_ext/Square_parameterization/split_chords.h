@@ -5,10 +5,13 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H
 
 #include <CGAL_ext/Square_parameterization/Chords.h>
+#include <CGAL_ext/Square_parameterization/internal/common/named_parameters.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Mesh_edges.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/apply_edits.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/split_surface_edges.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -16,6 +19,19 @@
 #include <vector>
 
 namespace CGAL_ext {
+
+namespace parameters {
+
+/// \ingroup PkgSquareParameterizationConditioning
+///
+/// the named parameter that says which chords `split_chords()` splits. It must come first in a chain of named parameters:
+/// `parameters::chords(c).vertex_point_map(vpm)`.
+inline CGAL::Named_function_parameters<Chords, internal::chords_t> chords(Chords chords)
+{
+  return {chords};
+}
+
+} // namespace parameters
 
 /// \ingroup PkgSquareParameterizationConditioning
 ///
@@ -26,13 +42,35 @@ namespace CGAL_ext {
 /// The new vertices and faces come after the existing ones. Complexity: all but linear.
 ///
 /// \tparam TriangleMesh must be a model of `MutableFaceGraph`.
-/// \tparam VertexPointMap must be a model of `ReadWritePropertyMap` with the vertex descriptor as key type and a 3D
-///         point as value type.
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param mesh the surface
+/// \param np optional named parameters among those below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{chords}
+///     \cgalParamDescription{which chords are split}
+///     \cgalParamType{`CGAL_ext::Chords`}
+///     \cgalParamDefault{`CGAL_ext::Chords::ALL`}
+///     \cgalParamExtra{It is made by `CGAL_ext::parameters::chords()` and must come first.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the positions of the vertices}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key type and a 3D point as value
+///                    type}
+///     \cgalParamDefault{the internal vertex point map of `mesh`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \pre all faces are triangles, and no two edges join the same two vertices
-template <class TriangleMesh, class VertexPointMap>
-std::size_t split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which = Chords::ALL)
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::size_t split_chords(TriangleMesh& mesh, const NamedParameters& np = NamedParameters())
 {
+  namespace CP = CGAL::parameters;
   CGAL_precondition(CGAL::is_triangle_mesh(mesh));
+  const Chords which = CP::choose_parameter(CP::get_parameter(np, internal::chords), Chords::ALL);
+  const auto vpm =
+      CP::choose_parameter(CP::get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
   const TriangleMesh& const_mesh = mesh;
   auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
   const internal::Triangle_surface surface = internal::make_triangle_surface(arrays.points, arrays.triangles);
@@ -45,15 +83,6 @@ std::size_t split_chords(TriangleMesh& mesh, VertexPointMap vpm, Chords which = 
 
 /// \ingroup PkgSquareParameterizationConditioning
 ///
-/// as above, with the internal vertex point map of \p mesh
-template <class TriangleMesh>
-std::size_t split_chords(TriangleMesh& mesh)
-{
-  return split_chords(mesh, get(CGAL::vertex_point, mesh));
-}
-
-/// \ingroup PkgSquareParameterizationConditioning
-///
 /// splits the chords that \p mesh has as a `CGAL::Seam_mesh`: edges that are not seams between two vertices on seams or
 /// borders. Returns how many there were. New edges and vertices are on no seam.
 ///
@@ -62,14 +91,33 @@ std::size_t split_chords(TriangleMesh& mesh)
 ///         value type.
 /// \tparam SeamVertexMap must be a model of `ReadWritePropertyMap` with the vertex descriptor as key type and `bool` as
 ///         value type.
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param mesh the surface
+/// \param seam_edges,seam_vertices tell the seams
+/// \param np optional named parameters among those below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the positions of the vertices}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key type and a 3D point as value
+///                    type}
+///     \cgalParamDefault{the internal vertex point map of `mesh`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \pre all faces are triangles, no two edges join the same two vertices, and no `CGAL::Seam_mesh` of `mesh` has been
 ///      made yet
-template <class TriangleMesh, class SeamEdgeMap, class SeamVertexMap>
-std::size_t split_seam_chords(TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVertexMap seam_vertices)
+template <class TriangleMesh, class SeamEdgeMap, class SeamVertexMap,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::size_t split_seam_chords(TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVertexMap seam_vertices,
+                              const NamedParameters& np = NamedParameters())
 {
+  namespace CP = CGAL::parameters;
   CGAL_precondition(CGAL::is_triangle_mesh(mesh));
+  const auto vpm =
+      CP::choose_parameter(CP::get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
   const TriangleMesh& const_mesh = mesh;
-  const auto vpm = get(CGAL::vertex_point, mesh);
   auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
   const internal::Triangle_surface surface = internal::make_triangle_surface(arrays.points, arrays.triangles);
   const internal::Mesh_edges<TriangleMesh> mesh_edges(const_mesh, vertex_list, surface.edges);

@@ -153,12 +153,12 @@ private:
     const double a = ring.objective(ring.at(left)), b = ring.objective(ring.at(middle)),
                  c = ring.objective(ring.at(right));
     Valley valley{left, middle, right, double(middle), b};
-    const double h = middle - left, k = right - middle;
+    const double h = double(middle - left), k = double(right - middle);
     const double slope_left = (a - b) / h, slope_right = (c - b) / k; // both not negative
     const double curvature = (slope_left + slope_right) / (h + k);
     if(std::isfinite(curvature) && curvature > 0) {
       const double slope = (slope_right * h - slope_left * k) / (h + k); // of the parabola, in the middle
-      valley.bottom = middle - slope / (2 * curvature);
+      valley.bottom = double(middle) - slope / (2 * curvature);
       valley.promise = b - slope * slope / (4 * curvature);
     } else if(!std::isfinite(a) || !std::isfinite(c))
       valley.promise = -std::numeric_limits<double>::infinity(); // beside a region without maps nothing is known
@@ -228,11 +228,11 @@ private:
     };
     std::set<int> samples;
     if(valley.middle - valley.left > 1)
-      samples.insert(ring.at(valley.bottom <= valley.middle - NEAR_MIDDLE ? inside(valley.left, valley.middle)
-                                                                          : valley.middle - 1));
+      samples.insert(ring.at(valley.bottom <= double(valley.middle) - NEAR_MIDDLE ? inside(valley.left, valley.middle)
+                                                                                  : valley.middle - 1));
     if(valley.right - valley.middle > 1)
-      samples.insert(ring.at(valley.bottom >= valley.middle + NEAR_MIDDLE ? inside(valley.middle, valley.right)
-                                                                          : valley.middle + 1));
+      samples.insert(ring.at(valley.bottom >= double(valley.middle) + NEAR_MIDDLE ? inside(valley.middle, valley.right)
+                                                                                  : valley.middle + 1));
     return samples;
   }
 

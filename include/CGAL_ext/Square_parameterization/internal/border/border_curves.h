@@ -171,11 +171,17 @@ inline bool are_corners_in_order(const Corners& corners, int border_size)
   return true;
 }
 
+/// the radius of the circle of area 1
+inline double unit_area_radius()
+{
+  return static_cast<double>(std::sqrt(1 / EIGEN_PI));
+}
+
 /// puts the border on the circle of radius \p radius around the origin by arc length, counter-clockwise, its first
 /// vertex at (radius, 0). Returns one uv per border vertex (#B by 2).
 inline Uv_coordinates circular_border(const std::vector<double>& lengths, double radius)
 {
-  const double two_pi = 2 * EIGEN_PI;
+  const auto two_pi = static_cast<double>(2 * EIGEN_PI);
   const double total = std::accumulate(lengths.begin(), lengths.end(), 0.);
   Uv_coordinates uv(lengths.size(), 2);
   double length = 0;

@@ -107,7 +107,7 @@ private:
 
   void push_collapse(int from, int to)
   {
-    const double triangles = (is_border(from) ? 2. : 1.) * m_star[from].size(); // the border has half stars
+    const double triangles = (is_border(from) ? 2. : 1.) * double(m_star[from].size()); // the border has half stars
     m_queue.push({(point(to) - point(from)).squaredNorm() * triangles, from, to, m_changes[from]});
   }
 

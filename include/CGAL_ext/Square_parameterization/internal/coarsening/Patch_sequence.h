@@ -87,7 +87,7 @@ private:
       try {
         Patch_coarsener coarsener(patch, least_shape_kept, keeps);
         auto coarse = std::make_unique<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / 2));
-        if(coarse->removals.size() >= Minimizer_numbers::LEAST_REMOVED * removable)
+        if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removable)
           return coarse;
       } catch(const Unmappable&) {
         // too degenerate to be a patch: the finer one does without

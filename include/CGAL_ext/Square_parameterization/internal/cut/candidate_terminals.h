@@ -41,7 +41,7 @@ inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, c
     const Stretch_iteration iteration(patch, minimization);
     Stretch_iteration::Workspace workspace;
     const Minimized_map map =
-        iteration.minimize(circular_border(patch.border_lengths, std::sqrt(1 / EIGEN_PI)), 1, workspace);
+        iteration.minimize(circular_border(patch.border_lengths, unit_area_radius()), 1, workspace);
     if(map.uv.rows() == 0)
       return {};
     stretch_energy(patch, map.uv, sigma);

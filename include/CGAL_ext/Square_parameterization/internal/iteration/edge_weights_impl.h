@@ -152,11 +152,11 @@ CGAL_EXT_INLINE_FUNCTION Edge_weights shape_preserving_weights(const Patch& patc
     for(const Fan_corner& corner : fan) {
       directions.push_back(direction);
       ring.emplace_back(corner.length * std::cos(direction), corner.length * std::sin(direction));
-      direction += corner.angle * 2 * EIGEN_PI / total_angle;
+      direction = static_cast<double>(direction + corner.angle * 2 * EIGEN_PI / total_angle);
     }
     for(std::size_t j = 0; j < n; ++j)
       for(const double side : {-ANGLE_TOLERANCE, ANGLE_TOLERANCE}) {
-        const double opposite = std::fmod(directions[j] + EIGEN_PI + side, 2 * EIGEN_PI);
+        const auto opposite = static_cast<double>(std::fmod(directions[j] + EIGEN_PI + side, 2 * EIGEN_PI));
         const std::size_t a = std::upper_bound(directions.begin(), directions.end(), opposite) - directions.begin() - 1;
         const std::size_t b = (a + 1) % n;
         // areas of the triangles that the centre makes with the sides of (j, a, b); a sector wider than pi can make one

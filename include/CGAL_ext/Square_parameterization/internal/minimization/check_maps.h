@@ -94,7 +94,7 @@ Minimized_map map_any_border(const Patch& patch, Uv_coordinates border_uv, const
 /// see `Map_minimizer::circle_stretch()`
 inline std::vector<double> circle_stretch(const Patch& patch, const Stretch_iteration& iteration)
 {
-  const Uv_coordinates border_uv = circular_border(patch.border_lengths, std::sqrt(1 / EIGEN_PI));
+  const Uv_coordinates border_uv = circular_border(patch.border_lengths, unit_area_radius());
   Stretch_iteration::Workspace workspace;
   const Minimized_map map = iteration.minimize(border_uv, 1, workspace);
   std::vector<double> sigma, result;

@@ -4,6 +4,7 @@
 #include "test_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/orient_soup.h>
 
 #include <catch2/catch.hpp>
 

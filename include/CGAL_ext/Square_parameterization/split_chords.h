@@ -125,10 +125,11 @@ std::size_t split_seam_chords(TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVe
   std::vector<bool> is_seam_vertex;
   for(auto v : vertex_list)
     is_seam_vertex.push_back(get(seam_vertices, v));
+  const std::vector<int> chords = internal::chords_of(
+      surface, Chords::ALL, [&](int v) { return is_seam_vertex[v] || surface.is_border_vertex[v]; },
+      [&](int e) { return get(seam_edges, mesh_edges[e]) || surface.is_border_edge(e); });
   internal::Surface_edits edits;
-  for(int e : internal::chords_of(
-          surface, Chords::ALL, [&](int v) { return is_seam_vertex[v] || surface.is_border_vertex[v]; },
-          [&](int e) { return get(seam_edges, mesh_edges[e]) || surface.is_border_edge(e); }))
+  for(int e : chords)
     edits.splits.push_back(surface.edges[e]);
   internal::apply_edits(edits, mesh, vpm, vertex_list);
   for(std::size_t k = uncut; k < vertex_list.size(); ++k) {

@@ -5,6 +5,7 @@
 #define CGAL_EXT_FUZZ_CHOICES_OF_BYTES_H
 
 #include "Soup_of_bytes.h"
+#include "check_map.h"
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Cut_options.h>

@@ -26,8 +26,7 @@ struct Flat_triangle
 /// \ingroup PkgSquareParameterizationWeights
 ///
 /// a topological disk as flat arrays: what a model of `BaseWeights` is given, and the form in which everything below
-/// the plug-ins sees a mesh. Vertices, triangles and edges are numbered from 0; below #V, #F, #E are their numbers, and
-/// #B is that of the border vertices.
+/// the plug-ins sees a mesh. Vertices, triangles and edges are numbered from 0.
 ///
 /// Lengths are scaled so that the area of the disk is 1, the area of the square it will be mapped to; the points are
 /// moved and scaled, not turned. A face lower than 1e-8 over its longest side counts with the shape of one that is 1e-4
@@ -35,25 +34,25 @@ struct Flat_triangle
 /// must stay positive and finite.
 struct Patch
 {
-  std::vector<Eigen::Vector3d> points;            ///< #V
-  std::vector<std::array<int, 3>> triangles;      ///< #F, vertices counter-clockwise
-  std::vector<Flat_triangle> shapes;              ///< #F, corner k is that of `triangles[f][k]`
-  std::vector<int> border;                        ///< #B vertices, counter-clockwise in uv
-  std::vector<double> border_lengths;             ///< #B, edge k joins border[k] and border[k + 1]
-  std::vector<std::array<int, 2>> edges;          ///< #E, first vertex lower, sorted
-  std::vector<std::array<int, 3>> triangle_edges; ///< #F, edge k is opposite to corner k
+  std::vector<Eigen::Vector3d> points;            ///< one per vertex
+  std::vector<std::array<int, 3>> triangles;      ///< three vertices each, counter-clockwise
+  std::vector<Flat_triangle> shapes;              ///< one per triangle, corner k is that of `triangles[f][k]`
+  std::vector<int> border;                        ///< vertices, counter-clockwise in uv
+  std::vector<double> border_lengths;             ///< one per border vertex, edge k joins border[k] and border[k + 1]
+  std::vector<std::array<int, 2>> edges;          ///< two vertices each, the first lower, sorted
+  std::vector<std::array<int, 3>> triangle_edges; ///< three edges per triangle, edge k is opposite to corner k
   /// \cond SKIP_IN_MANUAL
   std::vector<std::array<int, 2>> chords; ///< interior edges between two border vertices
-  std::vector<double> vertex_areas;       ///< #V, area of the incident triangles
+  std::vector<double> vertex_areas;       ///< one per vertex, of the incident triangles
   std::vector<int> degenerate_faces;      ///< lower than `least_height`, ascending
   double least_height = 0;                ///< `DEGENERATE_HEIGHT`, or more where coordinates carry less information
   double rounding = 0;                    ///< length below which the points carry no information
   /// \endcond
 
-  /// #V
+  /// as many as there are points
   int number_of_vertices() const { return static_cast<int>(points.size()); }
 
-  /// #F
+  /// as many as there are triangles
   int number_of_faces() const { return static_cast<int>(triangles.size()); }
 };
 
@@ -65,16 +64,22 @@ struct Patch
 /// common to one vertex (to the whole disk if they are symmetric).
 struct Edge_weights
 {
-  std::vector<std::array<double, 2>> values; ///< #E by 2
+  std::vector<std::array<double, 2>> values; ///< two per edge
   bool is_symmetric = false;                 ///< both weights of every edge are equal
 
-  /// gives every edge of \p patch the weights \p value
+  /// gives every edge both weights.
+  /// \param patch the disk
+  /// \param value of both weights of every edge, dimensionless
   /// \param symmetric whether the weights will be symmetric when they are set
   explicit Edge_weights(const Patch& patch, double value = 0, bool symmetric = false)
     : values(patch.edges.size(), {value, value}), is_symmetric(symmetric)
   {}
 
-  /// adds \p value to the weight that the other end of \p edge has in the equation of \p vertex
+  /// adds to the weight that the other end of an edge has in the equation of a vertex.
+  /// \param patch the disk
+  /// \param edge number of the edge
+  /// \param vertex one of its ends
+  /// \param value what is added
   void add(const Patch& patch, int edge, int vertex, double value)
   {
     values[edge][patch.edges[edge][0] == vertex ? 0 : 1] += value;

@@ -7,7 +7,9 @@
 #include "closed_meshes.h"
 #include "square_map_case.h"
 
+#include <CGAL_ext/Square_parameterization/mark_seams.h>
 #include <CGAL_ext/Square_parameterization/measure_stretch.h>
+#include <CGAL_ext/Square_parameterization/split_chords.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
@@ -163,17 +165,22 @@ TEST_CASE("a failed call of the plug-in leaves a Seam_mesh and its uv as they we
   Surface_mesh closed = make_mesh<Surface_mesh>(flat(ellipsoid(2, 2)));
   Edge_marks edge_marks = closed.add_property_map<Surface_mesh::Edge_index, bool>("e:on_seam", false).first;
   Vertex_marks vertex_marks = closed.add_property_map<Surface_mesh::Vertex_index, bool>("v:on_seam", false).first;
+  REQUIRE(mark_seams(closed, edge_marks, vertex_marks).status == SMP::OK);
+  split_seam_chords(closed, edge_marks, vertex_marks);
   Seam_mesh seam_mesh(closed, edge_marks, vertex_marks);
-  const auto seam = closed.halfedge(Surface_mesh::Vertex_index(0));
-  REQUIRE(seam_mesh.add_seam(closed.source(seam), closed.target(seam))); // one edge: a border of two
   const Snapshot<Surface_mesh> before(closed);
   auto bhd = boost::graph_traits<Seam_mesh>::null_halfedge();
   for(auto h : halfedges(seam_mesh))
     if(CGAL::is_border(h, seam_mesh))
       bhd = h;
   Uv_storage<Seam_mesh, Point_2> storage;
-  CHECK(SMP::parameterize(seam_mesh, Stretch_minimizing_parameterizer_3<Seam_mesh>(), bhd, storage.map()) != SMP::OK);
+  typedef Stretch_minimizing_parameterizer_3<Seam_mesh> Parameterizer;
+  Square_search_options options;
+  options.callback = [](double) { return false; };
+  const Parameterizer::Border_parameterizer stopped({}, options);
+  CHECK(SMP::parameterize(seam_mesh, Parameterizer(stopped), bhd, storage.map()) == SMP::ERROR_NO_1_TO_1_MAPPING);
   CHECK(Snapshot<Surface_mesh>(closed) == before);
   for(auto v : vertices(seam_mesh))
     CHECK_FALSE(storage.contains(v));
+  CHECK(SMP::parameterize(seam_mesh, Parameterizer(), bhd, storage.map()) == SMP::OK);
 }

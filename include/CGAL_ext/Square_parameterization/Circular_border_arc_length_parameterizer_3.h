@@ -34,7 +34,8 @@ public:
 
   /// constructs the parameterizer.
   /// \param radius of the circle, positive, in uv units; the default gives it the area 1
-  explicit Circular_border_arc_length_parameterizer_3(double radius = internal::unit_area_radius()) : m_radius(radius) {}
+  explicit Circular_border_arc_length_parameterizer_3(double radius = internal::unit_area_radius()) : m_radius(radius)
+  {}
 
   /// assigns to the vertices of the border their position on the circle, and marks them as parameterized.
   /// An edge shorter than 1e-8 sqrt(area) counts as 1e-4 sqrt(area) long, with the area of the connected component, as

@@ -7,6 +7,8 @@
 #include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
@@ -80,5 +82,7 @@ private:
 };
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_HYBRID_CORNER_SEARCH_H

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
@@ -111,5 +113,7 @@ private:
 };
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_PARTICLE_SWARM_CORNER_SEARCH_H

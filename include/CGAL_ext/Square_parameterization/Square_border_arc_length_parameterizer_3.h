@@ -13,6 +13,8 @@
 #include <optional>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationBorderParameterizers
@@ -100,5 +102,7 @@ private:
 };
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_BORDER_ARC_LENGTH_PARAMETERIZER_3_H

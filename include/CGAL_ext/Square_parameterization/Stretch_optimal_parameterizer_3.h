@@ -13,6 +13,8 @@
 
 #include <utility>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationParameterizers
@@ -83,5 +85,7 @@ private:
 };
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_STRETCH_OPTIMAL_PARAMETERIZER_3_H

@@ -9,6 +9,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationWeights
@@ -158,5 +160,7 @@ private:
 };
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_BASE_WEIGHTS_H

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \cond SKIP_IN_MANUAL
@@ -113,5 +115,7 @@ struct Better_of_two_corner_search
 };
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_CIRCLE_CORNER_SEARCHES_H

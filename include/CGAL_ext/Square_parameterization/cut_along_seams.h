@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationConditioning
@@ -81,5 +83,7 @@ TriangleMesh cut_along_seams(const TriangleMesh& mesh, SeamEdgeMap seam_edges,
 }
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_ALONG_SEAMS_H

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationResults
@@ -116,5 +118,7 @@ Seam_result mark_seams(const TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVer
 }
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_MARK_SEAMS_H

@@ -18,6 +18,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 /// \cond SKIP_IN_MANUAL
@@ -111,5 +113,7 @@ Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap,
 }
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_MEASURE_STRETCH_H

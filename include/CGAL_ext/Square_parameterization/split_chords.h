@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 
 namespace parameters {
@@ -141,5 +143,7 @@ std::size_t split_seam_chords(TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVe
 }
 
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_SPLIT_CHORDS_H

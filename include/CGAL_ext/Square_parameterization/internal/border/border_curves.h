@@ -12,6 +12,8 @@
 #include <numeric>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -195,5 +197,7 @@ inline Uv_coordinates circular_border(const std::vector<double>& lengths, double
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_BORDER_BORDER_CURVES_H

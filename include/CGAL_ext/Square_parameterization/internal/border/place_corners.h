@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -76,5 +78,7 @@ inline std::optional<Corners> place_corners(const std::vector<double>& lengths,
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_BORDER_PLACE_CORNERS_H

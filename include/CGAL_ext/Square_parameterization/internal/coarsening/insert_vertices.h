@@ -14,6 +14,8 @@
 #include <optional>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -124,5 +126,7 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_INSERT_VERTICES_H

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -30,5 +32,7 @@ inline bool is_good_replacement(const Eigen::Vector3d& from, const Eigen::Vector
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_IS_GOOD_REPLACEMENT_H

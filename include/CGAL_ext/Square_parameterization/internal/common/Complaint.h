@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -50,5 +52,7 @@ constexpr std::size_t NAMED_PLACES = 3; // as many places are named in a message
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_COMPLAINT_H

@@ -11,6 +11,8 @@
 #include <limits>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -104,5 +106,7 @@ inline std::vector<int> nearby_places(const Triangle_surface& surface, const Cut
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CANDIDATE_TERMINALS_H

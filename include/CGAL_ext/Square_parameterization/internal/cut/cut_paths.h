@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -65,5 +67,7 @@ inline std::vector<Cut_path> paths_longest_first(const Triangle_surface& surface
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_PATHS_H

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -111,5 +113,7 @@ CGAL_EXT_INLINE_FUNCTION Cut cut_to_disk(const Triangle_surface& surface, const 
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_TO_DISK_IMPL_H

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -56,5 +58,7 @@ inline void refine_cut(Cut_pool& pool, Scored_cut& cut, Cut_report& report)
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REFINE_CUT_H

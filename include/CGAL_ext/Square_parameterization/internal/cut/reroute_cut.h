@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -251,5 +253,7 @@ inline void reroute_cut(const Triangle_surface& surface, Cut& cut, std::vector<b
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REROUTE_CUT_H

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -46,5 +48,7 @@ inline Cut shortest_cut(const Triangle_surface& surface, Thread_team& team)
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REROUTED_INITIAL_CUTS_H

@@ -6,6 +6,8 @@
 
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -58,5 +60,7 @@ inline double largest_step(const Patch& patch, const Uv_coordinates& uv, const U
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_FEASIBLE_STEP_H

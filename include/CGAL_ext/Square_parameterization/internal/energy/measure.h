@@ -13,6 +13,8 @@
 #include <limits>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -50,5 +52,7 @@ inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_MEASURE_H

@@ -12,6 +12,8 @@
 
 // The texture stretch of Sander, Snyder, Gortler and Hoppe, "Texture mapping progressive meshes", SIGGRAPH 2001.
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -112,5 +114,7 @@ inline double stretch_energy(const Patch& patch, const Uv_coordinates& uv, std::
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_STRETCH_KERNEL_H

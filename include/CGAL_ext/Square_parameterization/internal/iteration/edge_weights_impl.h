@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -180,5 +182,7 @@ CGAL_EXT_INLINE_FUNCTION Edge_weights shape_preserving_weights(const Patch& patc
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_EDGE_WEIGHTS_IMPL_H

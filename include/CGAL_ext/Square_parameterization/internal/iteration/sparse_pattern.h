@@ -12,6 +12,8 @@
 #include <array>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -47,5 +49,7 @@ inline int slot_of(const Sparse_matrix& pattern, int row, int column)
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_SPARSE_PATTERN_H

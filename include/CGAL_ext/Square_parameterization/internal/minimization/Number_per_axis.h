@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -64,6 +66,8 @@ private:
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 /// \cond SKIP_IN_MANUAL
 namespace Eigen {

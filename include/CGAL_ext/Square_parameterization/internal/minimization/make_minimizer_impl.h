@@ -11,6 +11,8 @@
 #include <memory>
 #include <variant>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -28,5 +30,7 @@ CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer> make_minimizer(con
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAKE_MINIMIZER_IMPL_H

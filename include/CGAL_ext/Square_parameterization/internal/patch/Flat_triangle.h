@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -66,5 +68,7 @@ inline Flat_triangle widened(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_FLAT_TRIANGLE_H

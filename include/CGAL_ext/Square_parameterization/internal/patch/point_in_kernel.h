@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -51,5 +53,7 @@ inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_POINT_IN_KERNEL_H

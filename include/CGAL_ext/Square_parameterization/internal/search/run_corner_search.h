@@ -9,6 +9,8 @@
 
 #include <utility>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -36,5 +38,7 @@ inline void run_corner_search(const Corner_search& search, Corner_search_problem
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_RUN_CORNER_SEARCH_H

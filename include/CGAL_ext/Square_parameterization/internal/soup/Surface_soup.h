@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -78,5 +80,7 @@ void for_each_edge(const std::vector<Soup_side>& sides, Visit visit)
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_SURFACE_SOUP_H

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -82,5 +84,7 @@ CGAL_EXT_INLINE_FUNCTION Conditioning_report condition_soup(Surface_soup& soup, 
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_CONDITION_SOUP_IMPL_H

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -90,5 +92,7 @@ Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceR
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_FACE_GRAPH_ARRAYS_H

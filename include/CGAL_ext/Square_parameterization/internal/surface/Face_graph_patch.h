@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -43,5 +45,7 @@ make_face_graph_patch(const TriangleMesh& mesh, typename boost::graph_traits<Tri
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_FACE_GRAPH_PATCH_H

@@ -50,7 +50,7 @@ struct Brute_force_corner_search
 
   void operator()(const Corner_search_problem& problem) const
   {
-    std::vector<int> all(problem.number_of_candidates);
+    std::vector<int> all(static_cast<std::size_t>(problem.number_of_candidates));
     std::iota(all.begin(), all.end(), 0);
     problem.objective_of(all);
   }

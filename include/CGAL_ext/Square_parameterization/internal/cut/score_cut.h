@@ -69,7 +69,7 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
                                  const Cut_score_options& options)
 {
   Stretch_minimization start;
-  start.maximum_iterations = options.numbers.start_iterations;
+  start.maximum_iterations = static_cast<unsigned int>(options.numbers.start_iterations);
   const Stretch_iteration iteration(patch, start);
   Stretch_iteration::Workspace workspace;
   Minimized_map best;
@@ -88,7 +88,7 @@ inline Minimized_map quick_map(const Patch& patch, Minimized_map start, const Cu
 {
   Balanced_minimization balanced;
   balanced.balance = options.balance;
-  balanced.maximum_iterations = options.numbers.score_steps;
+  balanced.maximum_iterations = static_cast<unsigned int>(options.numbers.score_steps);
   Balanced_minimizer::Workspace workspace;
   const Balanced_minimizer minimizer(patch, balanced);
   return minimizer.minimize({std::move(start.uv), {}, {}}, options.numbers.score_tolerance, workspace);
@@ -100,7 +100,7 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
   Balanced_minimization minimization;
   minimization.balance = options.balance;
   minimization.search_tolerance = options.numbers.score_tolerance;
-  minimization.maximum_iterations = options.numbers.score_steps;
+  minimization.maximum_iterations = static_cast<unsigned int>(options.numbers.score_steps);
   return make_minimizer(patch, minimization)->make_worker()(border, nullptr);
 }
 

@@ -126,8 +126,7 @@ TEST_CASE("an option without an effect beside the others is refused, with its de
       {{"--cut", "shortest", "--cut-disk"}, "--cut-disk goes with --cut best"},
       // what only the optimal minimizer has
       {{"--minimizer", "iterative", "--balance", "0.3"}, "--balance goes with --minimizer optimal"},
-      {{"--minimizer", "iterative", "--border", "fixed"}, "--border goes with --minimizer optimal"},
-      {{"--preset", "paper", "--border", "fixed"}, "--border goes with --minimizer optimal"},
+      {{"--minimizer", "iterative", "--border", "sliding"}, "--border sliding goes with --minimizer optimal"},
       {{"--preset", "paper", "--balance", "0.3"}, "--balance goes with --minimizer optimal"}};
   for(const auto& [options, words] : bad)
     check_refusal(folder, Arguments{input, "-o", folder / "map.obj"} + options, BAD_COMMAND_LINE, words);
@@ -145,6 +144,7 @@ TEST_CASE("each of these options is taken where it has an effect, also with its 
       {"--strategy", "particle-swarm", "--seed", "0"},
       {"--strategy", "none", "--walk", "clockwise", "--corner-rule", "author"},
       {"--preset", "paper", "--minimizer", "optimal", "--balance", "0.3", "--border", "fixed"},
+      {"--minimizer", "iterative", "--border", "fixed"}, // as it is
       {"--cut", "best", "--cut-weight", "0.05", "--max-cut-length", "2", "--cut-disk"},
       {"--cut-weight", "0", "--max-cut-length", "inf"},
       {"--preset", "paper", "--walk", "clockwise", "--eta", "0.5", "--patience", "1", "--weights", "uniform"},

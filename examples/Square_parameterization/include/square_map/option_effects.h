@@ -40,10 +40,7 @@ inline std::vector<Effect> effects()
        [](const Command_line& line) { return line.seams.empty(); }},
       {{"cut-weight", "max-cut-length", "cut-disk"},
        "goes with --cut best",
-       [](const Command_line& line) { return line.options.cut.mode == Cut_mode::BEST; }},
-      {{"border"}, "goes with --minimizer optimal", [](const Command_line& line) {
-         return line.minimizer == "optimal";
-       }}};
+       [](const Command_line& line) { return line.options.cut.mode == Cut_mode::BEST; }}};
 }
 
 /// refuses options that are given and have no effect beside the others, also with the value that they have by default:

@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,58 +31,106 @@ inline std::vector<double> corner_distances(const Uv_coordinates& border_uv)
   return distances;
 }
 
+/// one search for the corners of one patch: evaluates candidates, and sketches where the minimizer has them
+class Square_search
+{
+public:
+  Square_search(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
+                const Square_search_options& options)
+    : m_patch(patch),
+      m_minimizer(minimizer),
+      m_search(search),
+      m_options(options),
+      m_walk(patch.border_lengths, options.walk),
+      m_number_of_candidates(search.candidate_set() == Candidate_set::FULL ? m_walk.size()
+                                                                           : number_of_quarter_candidates(m_walk)),
+      m_threads(number_of_search_threads(options.number_of_threads, patch.number_of_vertices())),
+      m_evaluation(
+          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
+          options.visitor, options.callback)
+  {
+    if(minimizer.has_sketches())
+      m_sketches.emplace(
+          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
+          nullptr, [this](double) { return !m_options.callback || m_options.callback(0); });
+  }
+
+  Search_outcome operator()()
+  {
+    if(m_options.visitor != nullptr)
+      m_options.visitor->start_search(static_cast<std::size_t>(m_number_of_candidates));
+    run_corner_search(m_search, problem(), m_evaluation);
+    m_evaluation.release_workers();
+    Search_outcome outcome{m_minimizer.finish(m_evaluation.best_map()), m_evaluation.report()};
+    complete(outcome);
+    if(m_options.visitor != nullptr)
+      m_options.visitor->end_search(outcome.report);
+    return outcome;
+  }
+
+private:
+  Square_border border_of(int candidate) const
+  {
+    return square_border(m_walk, corners_of_candidate(m_walk, candidate, m_options.corner_rule));
+  }
+
+  Candidate_evaluation::Worker for_candidates(Map_minimizer::Worker map_for) const
+  {
+    return [this, map_for = std::move(map_for)](int candidate, const Uv_coordinates* warm_start) {
+      return map_for(border_of(candidate).uv, warm_start);
+    };
+  }
+
+  /// what the strategy sees
+  Corner_search_problem problem()
+  {
+    Corner_search_problem problem;
+    problem.number_of_candidates = m_number_of_candidates;
+    problem.number_of_vertices = m_patch.number_of_vertices();
+    problem.number_of_faces = m_patch.number_of_faces();
+    problem.objective_of = [this](const std::vector<int>& candidates) { return m_evaluation(candidates); };
+    problem.objective_from_neighbors = [this](const std::vector<int>& candidates) {
+      return m_evaluation(candidates, true);
+    };
+    if(m_sketches)
+      problem.sketched_objective_of = [this](const std::vector<int>& candidates) { return (*m_sketches)(candidates); };
+    problem.circle_stretch = [this] { return m_minimizer.circle_stretch(); };
+    problem.corner_distances = [this](int candidate) { return corner_distances(border_of(candidate).uv); };
+    return problem;
+  }
+
+  /// what the evaluation does not know: the sketches, the delivered map, and the corners
+  void complete(Search_outcome& outcome) const
+  {
+    Search_report& report = outcome.report;
+    if(m_sketches) {
+      const Search_report sketching = m_sketches->report();
+      report.sketches = sketching.evaluations;
+      report.is_cancelled |= sketching.is_cancelled;
+    }
+    if(report.best_candidate >= 0) {
+      report.best_objective = outcome.map.report.objective;
+      report.corners = border_of(report.best_candidate).corners;
+    }
+  }
+
+  const Patch& m_patch;
+  const Map_minimizer& m_minimizer;
+  const Corner_search& m_search;
+  const Square_search_options& m_options;
+  const Border_walk m_walk;
+  const int m_number_of_candidates;
+  const unsigned int m_threads;
+  Candidate_evaluation m_evaluation;
+  std::optional<Candidate_evaluation> m_sketches;
+};
+
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer,
                                                           const Corner_search& search,
                                                           const Square_search_options& options)
 {
   check_corner_search(search);
-  const Border_walk walk(patch.border_lengths, options.walk);
-  const auto border_of = [&](int candidate) {
-    return square_border(walk, corners_of_candidate(walk, candidate, options.corner_rule));
-  };
-  const auto for_candidates = [&](Map_minimizer::Worker map_for) -> Candidate_evaluation::Worker {
-    return [&, map_for = std::move(map_for)](int candidate, const Uv_coordinates* warm_start) {
-      return map_for(border_of(candidate).uv, warm_start);
-    };
-  };
-  Corner_search_problem problem;
-  problem.number_of_candidates =
-      search.candidate_set() == Candidate_set::FULL ? walk.size() : number_of_quarter_candidates(walk);
-  const unsigned int threads = number_of_search_threads(options.number_of_threads, patch.number_of_vertices());
-  const auto make_worker = [&] { return for_candidates(minimizer.make_worker()); };
-  Candidate_evaluation evaluation(problem.number_of_candidates, make_worker, threads, options.visitor,
-                                  options.callback);
-  std::optional<Candidate_evaluation> sketches;
-  if(minimizer.has_sketches()) {
-    const auto make_sketching_worker = [&] { return for_candidates(minimizer.make_sketching_worker()); };
-    const auto may_continue = [&options](double) { return !options.callback || options.callback(0); };
-    sketches.emplace(problem.number_of_candidates, make_sketching_worker, threads, nullptr, may_continue);
-    problem.sketched_objective_of = [&](const std::vector<int>& candidates) { return (*sketches)(candidates); };
-  }
-  problem.objective_of = [&](const std::vector<int>& candidates) { return evaluation(candidates); };
-  problem.objective_from_neighbors = [&](const std::vector<int>& candidates) { return evaluation(candidates, true); };
-  problem.number_of_vertices = patch.number_of_vertices();
-  problem.number_of_faces = patch.number_of_faces();
-  problem.circle_stretch = [&] { return minimizer.circle_stretch(); };
-  problem.corner_distances = [&](int candidate) { return corner_distances(border_of(candidate).uv); };
-
-  if(options.visitor != nullptr)
-    options.visitor->start_search(problem.number_of_candidates);
-  run_corner_search(search, std::move(problem), evaluation);
-  evaluation.release_workers();
-  Search_outcome outcome{minimizer.finish(evaluation.best_map()), evaluation.report()};
-  if(sketches) {
-    const Search_report sketching = sketches->report();
-    outcome.report.sketches = sketching.evaluations;
-    outcome.report.is_cancelled |= sketching.is_cancelled;
-  }
-  if(outcome.report.best_candidate >= 0) {
-    outcome.report.best_objective = outcome.map.report.objective;
-    outcome.report.corners = border_of(outcome.report.best_candidate).corners;
-  }
-  if(options.visitor != nullptr)
-    options.visitor->end_search(outcome.report);
-  return outcome;
+  return Square_search(patch, minimizer, search, options)();
 }
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimizer,

@@ -218,7 +218,7 @@ def balance_means(run):
             logarithms[row.split()[1], column].append(math.log(value))
     means = {key: statistics.mean(values) for key, values in logarithms.items()}
     least = {column: min(mean for (_, c), mean in means.items() if c == column) for column in MEASURES}
-    return {(balance, column): 100 * (mean - least[column]) for (balance, column), mean in means.items()}
+    return {(balance, column): 100 * math.expm1(mean - least[column]) for (balance, column), mean in means.items()}
 
 
 def balance_means_in_manual():

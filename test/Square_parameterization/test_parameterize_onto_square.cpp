@@ -212,6 +212,30 @@ TEST_CASE("a cancelled search delivers the best map so far")
   CHECK(uv.size() == 36);
 }
 
+TEST_CASE("a search that is cancelled at the first question delivers nothing, and says so")
+{
+  for(bool is_bracketing : {true, false}) {
+    int questions = 0;
+    Square_map_options<Surface_mesh> options;
+    if(!is_bracketing)
+      options.search = Brute_force_corner_search();
+    options.search_options.number_of_threads = 1;
+    options.search_options.callback = [&questions](double share) {
+      ++questions;
+      CHECK(share == 0);
+      return false;
+    };
+    const auto [result, uv] = map_onto_square(saddle(5), options);
+    CHECK(result.status == SMP::ERROR_NO_1_TO_1_MAPPING);
+    CHECK(result.message == "the search was stopped after 0 candidates, none with a one-to-one map");
+    CHECK(result.search.is_cancelled);
+    CHECK(result.search.evaluations == 0);
+    CHECK(result.search.best_candidate == -1);
+    CHECK(questions == 1);
+    CHECK(uv.empty());
+  }
+}
+
 TEST_CASE("the walk and the corner rule change the corners, not the orientation")
 {
   for(Walk walk : {Walk::COUNTER_CLOCKWISE, Walk::CLOCKWISE})

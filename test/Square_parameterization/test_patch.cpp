@@ -121,7 +121,7 @@ TEST_CASE("a patch is refused with the place named")
     for(auto& p : mesh.points)
       p = {p.x(), 2 * p.x(), 3 * p.x()};
     CHECK(refusal(mesh, message) == SMP::ERROR_NO_1_TO_1_MAPPING);
-    CHECK_THAT(message, Contains("all of its 32 faces are without area"));
+    CHECK_THAT(message, Contains("none of its faces has an area"));
   }
   SECTION("a surface in one point")
   {

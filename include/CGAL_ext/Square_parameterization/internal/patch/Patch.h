@@ -99,11 +99,11 @@ inline std::vector<Flat_triangle> shapes_as_given(const Patch& patch)
   return shapes;
 }
 
-/// the surface has no shape that could be mapped
-[[noreturn]] inline void refuse_without_extent(std::size_t faces)
+/// the surface has no shape that could be mapped. No count: faces may have been split
+[[noreturn]] inline void refuse_without_extent()
 {
   throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
-                   "the surface has no extent: all of its " + std::to_string(faces) + " faces are without area");
+                   "the surface has no extent: none of its faces has an area");
 }
 
 /// multiplies all lengths
@@ -126,7 +126,7 @@ inline void measure_faces(Patch& patch)
     area += patch.shapes.back().area();
   }
   if(!(area > 0))
-    refuse_without_extent(patch.triangles.size());
+    refuse_without_extent();
   scale_patch(1 / std::sqrt(area), patch);
   patch.least_height = (std::max)(DEGENERATE_HEIGHT, patch.rounding);
   for(int f = 0; f < patch.number_of_faces(); ++f) {

@@ -87,6 +87,16 @@ inline Corners border_positions(const std::array<int, 4>& corners, const Surface
   return *positions;
 }
 
+/// the search has found no map
+[[noreturn]] inline void refuse_without_map(const Search_report& report)
+{
+  const std::string evaluations = std::to_string(report.evaluations);
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
+                   report.is_cancelled
+                       ? "the search was stopped after " + evaluations + " candidates, none with a one-to-one map"
+                       : "none of " + evaluations + " evaluated candidates has a one-to-one map");
+}
+
 /// maps the patch with the given corners, or with those of a search. Throws `Unmappable` when there is no map.
 inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimizer,
                                 const std::optional<Corners>& corners, const Square_map_settings& settings,
@@ -99,9 +109,7 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(outcome.map.report);
   if(outcome.report.best_candidate < 0)
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
-                     "none of " + std::to_string(outcome.report.evaluations) +
-                         " evaluated candidates has a one-to-one map");
+    refuse_without_map(outcome.report);
   return outcome;
 }
 

@@ -121,7 +121,7 @@ inline Triangle_surface make_checked_surface(const Surface_arrays& mesh)
     return flatten(points[t[0]], points[t[1]], points[t[2]], rounding).y2 > 0;
   });
   if(!has_extent)
-    refuse_without_extent(mesh.triangles.size());
+    refuse_without_extent();
   Triangle_surface surface = make_triangle_surface(std::move(points), mesh.triangles, std::move(numbering));
   check_connected(surface);
   check_vertices(mesh, surface);

@@ -1,12 +1,7 @@
 # Installs the package and builds a user's project against it: from the build folder as it is, and from another one with
 # folders for headers and libraries of the installer's choice.
 # cmake -D BINARY_DIR=... -D PACKAGE_DIR=... -D SOURCE_DIR=... -D GENERATOR=... -P test_consumer.cmake
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "failed: ${ARGN}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 # installs the package of a build folder, and builds and runs the user's project, which is told where the package is
 function(check_consumer build_folder folder)

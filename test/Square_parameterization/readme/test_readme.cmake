@@ -1,11 +1,6 @@
 # Installs the package and compiles the C++ of README.md against it, without making code.
 # cmake -D BINARY_DIR=... -D README=... -D SOURCE_DIR=... -D GENERATOR=... -P test_readme.cmake
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "failed: ${ARGN}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 set(folder ${BINARY_DIR}/readme)
 file(REMOVE_RECURSE ${folder})

@@ -253,7 +253,7 @@ TEST_CASE("the circle border is counter-clockwise by arc length")
     const auto p = uv.row(k), q = uv.row((k + 1) % 6);
     double angle = std::atan2(p.x() * q.y() - p.y() * q.x(), p.dot(q));
     if(angle < -1e-9)
-      angle += 2 * EIGEN_PI;
-    CHECK(std::abs(angle) == Approx(2 * EIGEN_PI * lengths[k] / 8).epsilon(1e-12));
+      angle += 2 * PI;
+    CHECK(std::abs(angle) == Approx(2 * PI * lengths[k] / 8).epsilon(1e-12));
   }
 }

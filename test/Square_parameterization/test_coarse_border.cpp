@@ -100,7 +100,7 @@ TEST_CASE("a coarse patch with a coarse border is a disk without chords")
       CHECK(patch.number_of_vertices() + static_cast<int>(coarse.removals.size()) == fine.number_of_vertices());
       CHECK(patch.number_of_vertices() - static_cast<int>(patch.edges.size()) + patch.number_of_faces() == 1);
       CHECK(patch.chords.empty());
-      CHECK(patch.border.size() < 0.75 * fine.border.size());
+      CHECK(double(patch.border.size()) < 0.75 * double(fine.border.size()));
       CHECK(patch.border.size() >= 32);
       std::size_t k = 0;
       for(int v : patch.border) {

@@ -350,7 +350,7 @@ TEST_CASE("neighboring polygons do not get the same diagonal, which would have f
   for(const std::size_t n : {4, 6}) {
     Surface_soup pillow{{}, Faces(2)};
     for(std::size_t v = 0; v < n; ++v) {
-      pillow.points.emplace_back(std::cos(2 * EIGEN_PI * v / n), std::sin(2 * EIGEN_PI * v / n), 0);
+      pillow.points.emplace_back(std::cos(2 * PI * v / n), std::sin(2 * PI * v / n), 0);
       pillow.faces[0].push_back(v);
       pillow.faces[1].push_back(n - 1 - v);
     }
@@ -390,7 +390,7 @@ TEST_CASE("a polygon is cut into triangles that do not overlap, also with many r
     for(int v = 0; v < n; ++v) { // a star, with the middles of its edges, in a plane that is far from level
       const double radii[2] = {v % 4 == 0 ? 1 : 0.4, v % 4 == 0 ? 0.4 : 1};
       const auto tip = [n](int k, double radius) {
-        return Eigen::Vector3d(radius * std::cos(EIGEN_PI * k / n), radius * std::sin(EIGEN_PI * k / n), 0);
+        return Eigen::Vector3d(radius * std::cos(PI * k / n), radius * std::sin(PI * k / n), 0);
       };
       soup.points.push_back(v % 2 == 0 ? tip(2 * v, radii[0])
                                        : (tip(2 * v - 2, radii[1]) + tip(2 * v + 2, radii[0])) / 2);

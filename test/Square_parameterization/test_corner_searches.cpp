@@ -22,7 +22,7 @@ Stretch_curve smooth_curve(int n, double phase)
 {
   Stretch_curve curve;
   for(int k = 0; k < n; ++k)
-    curve.push_back(1.5 + std::cos(2 * EIGEN_PI * (k - phase) / n) / 4);
+    curve.push_back(1.5 + std::cos(2 * PI * (k - phase) / n) / 4);
   return curve;
 }
 

@@ -165,7 +165,7 @@ TEST_CASE(
   Flat_mesh fan;
   fan.points.emplace_back(0, 0, height);
   for(int k = 0; k < 6; ++k) {
-    fan.points.emplace_back(std::cos(k * EIGEN_PI / 3), std::sin(k * EIGEN_PI / 3), 0);
+    fan.points.emplace_back(std::cos(k * PI / 3), std::sin(k * PI / 3), 0);
     fan.triangles.push_back({0, 1 + k, 1 + (k + 1) % 6});
     fan.border.push_back(1 + k);
   }

@@ -38,7 +38,7 @@ Flat_mesh cylinder(int sectors, int rings)
   Random_numbers random(52);
   for(int i = 0; i <= rings; ++i)
     for(int s = 0; s < sectors; ++s) {
-      const double t = 2 * EIGEN_PI * (s + random(-.2, .2)) / sectors;
+      const double t = 2 * PI * (s + random(-.2, .2)) / sectors;
       const double z = 2. * (i + (i % rings == 0 ? 0 : random(-.2, .2))) / rings;
       mesh.points.emplace_back(std::cos(t), std::sin(t), z);
     }

@@ -40,7 +40,7 @@ Flat_mesh fan_of(const std::vector<double>& lengths)
   };
   double low = *std::max_element(lengths.begin(), lengths.end()) / 2, high = 1e3 * low;
   for(int i = 0; i < 200; ++i)
-    (total_angle((low + high) / 2) > 2 * EIGEN_PI ? low : high) = (low + high) / 2;
+    (total_angle((low + high) / 2) > 2 * PI ? low : high) = (low + high) / 2;
   Flat_mesh mesh;
   mesh.points.emplace_back(0, 0, low);
   double angle = 0;
@@ -228,7 +228,7 @@ TEST_CASE("defect 6: arc length on the circle belongs to the edge, not to the on
   for(std::size_t k = 0; k < n; ++k) {
     const Eigen::Vector2d p = result.uv[flat.border[k]], q = result.uv[flat.border[(k + 1) % n]];
     const double angle = std::atan2(p.x() * q.y() - p.y() * q.x(), p.dot(q));
-    CHECK(angle == Approx(2 * EIGEN_PI * lengths[k] / total).epsilon(1e-12));
-    CHECK(p.norm() == Approx(std::sqrt(1 / EIGEN_PI)).epsilon(1e-14));
+    CHECK(angle == Approx(2 * PI * lengths[k] / total).epsilon(1e-12));
+    CHECK(p.norm() == Approx(std::sqrt(1 / PI)).epsilon(1e-14));
   }
 }

@@ -164,7 +164,7 @@ TEST_CASE("bracketing finds the bottom of smooth valleys within its bound, and o
     for(int bottom = 0; bottom < n; bottom += 1 + n / 20) {
       Stretch_curve one, two;
       for(int k = 0; k < n; ++k) {
-        const double angle = 2 * EIGEN_PI * (k - bottom) / n;
+        const double angle = 2 * PI * (k - bottom) / n;
         one.push_back(1.5 - 0.3 * std::cos(angle));
         two.push_back(1.5 - 0.3 * std::cos(2 * angle) -
                       0.1 * std::cos(angle)); // the other valley is half round the ring
@@ -238,7 +238,7 @@ TEST_CASE("every strategy ends on every curve, within the number of candidates, 
     Stretch_curve plateau(n, 1.5), noise, bimodal, gaps;
     for(int k = 0; k < n; ++k) {
       noise.push_back(random(1, 2));
-      bimodal.push_back(1.5 + 0.3 * std::cos(4 * EIGEN_PI * k / n) + 0.01 * k);
+      bimodal.push_back(1.5 + 0.3 * std::cos(4 * PI * k / n) + 0.01 * k);
       gaps.push_back(k % 3 == 1 ? 1 + 0.01 * k : INFEASIBLE);
     }
     for(const Stretch_curve& curve : {plateau, noise, bimodal, gaps, Stretch_curve(n, INFEASIBLE)})

@@ -68,7 +68,7 @@ Surface_mesh torus_with_hole()
   const auto index = [](int i, int j) { return (i % n) * n + j % n; };
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < n; ++j) {
-      const double s = 2 * EIGEN_PI * i / n, t = 2 * EIGEN_PI * j / n, r = 3 + std::cos(t);
+      const double s = 2 * PI * i / n, t = 2 * PI * j / n, r = 3 + std::cos(t);
       flat.points.emplace_back(r * std::cos(s), r * std::sin(s), std::sin(t));
       if(i == 0 && j == 0)
         continue; // the hole has four border edges

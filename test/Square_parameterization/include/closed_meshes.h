@@ -17,8 +17,6 @@
 #include <utility>
 #include <vector>
 
-constexpr double PI = 3.14159265358979323846;
-
 /// points and oriented triangles of any topology; no vertex is without a triangle
 struct Closed_mesh
 {

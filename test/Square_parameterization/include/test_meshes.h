@@ -14,6 +14,8 @@
 #include <random>
 #include <vector>
 
+constexpr double PI = 3.14159265358979323846;
+
 /// a disk: points, triangles (counter-clockwise) and the border vertices, counter-clockwise from the one of lowest
 /// index
 struct Flat_mesh
@@ -30,7 +32,7 @@ public:
   explicit Random_numbers(unsigned int seed) : m_engine(seed) {}
 
   /// uniform in [low, high[
-  double operator()(double low, double high) { return low + (high - low) * (m_engine() / 4294967296.0); }
+  double operator()(double low, double high) { return low + (high - low) * (double(m_engine()) / 4294967296.0); }
 
   int below(int n) { return static_cast<int>((*this)(0, n)); }
 
@@ -132,7 +134,7 @@ inline Flat_mesh long_strip(int n = 60, unsigned int seed = 4)
 inline Flat_mesh spiral(int n = 80, unsigned int seed = 5)
 {
   return transformed(rectangle(n, 3, 1, 1, seed), [](const Eigen::Vector3d& p) {
-    const double angle = 4 * EIGEN_PI * p.x(), radius = 1 + 0.2 * angle - 0.5 * p.y();
+    const double angle = 4 * PI * p.x(), radius = 1 + 0.2 * angle - 0.5 * p.y();
     return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
   });
 }
@@ -148,7 +150,7 @@ Flat_mesh polar_disk(int rings, int sectors, unsigned int seed, Function f)
   for(int r = 1; r <= rings; ++r)
     for(int s = 0; s < sectors; ++s) {
       const double dr = r < rings ? random(-0.2, 0.2) : 0, ds = random(-0.2, 0.2);
-      mesh.points.push_back(f((r + dr) / rings, 2 * EIGEN_PI * (s + ds) / sectors));
+      mesh.points.push_back(f((r + dr) / rings, 2 * PI * (s + ds) / sectors));
     }
   const auto index = [sectors](int r, int s) { return 1 + (r - 1) * sectors + s % sectors; };
   for(int s = 0; s < sectors; ++s) {
@@ -179,7 +181,7 @@ inline Flat_mesh cone(double height = 2, int rings = 5, int sectors = 17, unsign
 inline Flat_mesh hemisphere(int rings = 6, int sectors = 21, unsigned int seed = 8)
 {
   return polar_disk(rings, sectors, seed, [](double r, double t) {
-    const double polar = r * EIGEN_PI / 2;
+    const double polar = r * PI / 2;
     return Eigen::Vector3d(std::sin(polar) * std::cos(t), std::sin(polar) * std::sin(t), std::cos(polar));
   });
 }
@@ -190,7 +192,7 @@ inline Flat_mesh fan_with_ears(int spokes = 12, int period = 3)
 {
   Flat_mesh mesh;
   const auto on_circle = [spokes](double s, double radius) {
-    const double t = 2 * EIGEN_PI * s / spokes;
+    const double t = 2 * PI * s / spokes;
     return Eigen::Vector3d(radius * std::cos(t), radius * std::sin(t), 0);
   };
   mesh.points.emplace_back(0, 0, 0);

@@ -149,15 +149,22 @@ inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& pat
   return seams;
 }
 
+/// the vertex of a mesh with a number
+inline Mesh::Vertex_index vertex(std::size_t v)
+{
+  return Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
+}
+
 /// the mesh of a conditioned soup; vertices and faces keep their order
 inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
 {
   Mesh mesh;
-  mesh.reserve(soup.points.size(), soup.points.size() + soup.faces.size(), soup.faces.size());
+  const auto V = static_cast<Mesh::size_type>(soup.points.size()), F = static_cast<Mesh::size_type>(soup.faces.size());
+  mesh.reserve(V, V + F, F);
   for(const Eigen::Vector3d& p : soup.points)
     mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
   for(const auto& face : soup.faces)
-    mesh.add_face(Mesh::Vertex_index(face[0]), Mesh::Vertex_index(face[1]), Mesh::Vertex_index(face[2]));
+    mesh.add_face(vertex(face[0]), vertex(face[1]), vertex(face[2]));
   return mesh;
 }
 
@@ -167,7 +174,7 @@ inline std::vector<Mesh::Edge_index> edges_between(const std::vector<std::array<
 {
   std::vector<Mesh::Edge_index> edges;
   for(const auto& [a, b] : pairs) {
-    const auto h = mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b));
+    const auto h = mesh.halfedge(vertex(a), vertex(b));
     if(h == Mesh::null_halfedge())
       throw CGAL_ext::internal::Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                                            "the seam from vertex " + std::to_string(a) + " to vertex " +
@@ -185,7 +192,7 @@ inline std::array<Mesh::Vertex_index, 4> mesh_vertices(const std::array<std::siz
   for(std::size_t k = 0; k < 4; ++k)
     if(const std::size_t v = conditioned_vertex(file_vertices[k], conditioning);
        v != CGAL_ext::internal::Conditioning_report::DROPPED)
-      result[k] = Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
+      result[k] = vertex(v);
   return result;
 }
 

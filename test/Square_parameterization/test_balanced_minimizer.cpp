@@ -14,7 +14,7 @@ using namespace CGAL_ext::internal;
 
 namespace {
 
-Balanced_minimization options(double balance, bool is_border_sliding)
+Balanced_minimization minimization_of(double balance, bool is_border_sliding)
 {
   Balanced_minimization result;
   result.balance = balance;
@@ -183,7 +183,7 @@ TEST_CASE("the minimizer lowers the energy at every step to a stationary map wit
     for(double balance : {0., 0.1, 0.3, 1.})
       for(bool is_sliding : {false, true}) {
         const Uv_coordinates start = some_map(patch);
-        const Minimized_map map = minimized(patch, start, options(balance, is_sliding), 1e-12);
+        const Minimized_map map = minimized(patch, start, minimization_of(balance, is_sliding), 1e-12);
         INFO("balance " << balance << ", sliding " << is_sliding);
         CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
         for(std::size_t i = 1; i < map.report.history.size(); ++i)
@@ -202,7 +202,7 @@ TEST_CASE("a map stopped after any number of steps has no flips, and continued i
 {
   const Patch patch = make_patch_of(cone(6, 6, 19));
   for(unsigned int steps = 0; steps < 12; ++steps) {
-    Balanced_minimization stopped = options(0, true);
+    Balanced_minimization stopped = minimization_of(0, true);
     stopped.maximum_iterations = steps;
     const Minimized_map map = minimized(patch, some_map(patch), stopped, 0);
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
@@ -210,7 +210,7 @@ TEST_CASE("a map stopped after any number of steps has no flips, and continued i
     CHECK(map.report.history.size() == steps + 1);
   }
   Balanced_minimizer::Workspace workspace;
-  const Balanced_minimizer minimizer(patch, options(0.3, true));
+  const Balanced_minimizer minimizer(patch, minimization_of(0.3, true));
   const Minimized_map rough = minimizer.minimize({some_map(patch), {}, {}}, 1e-2, workspace);
   const Minimized_map continued = minimizer.minimize(rough, 1e-10, workspace);
   const Minimized_map at_once = minimizer.minimize({some_map(patch), {}, {}}, 1e-10, workspace);
@@ -225,13 +225,13 @@ TEST_CASE("settling a map mends what one vertex spoils")
   const Patch patch = make_patch_of(cone(6, 6, 19));
   const auto linf = [&](const Uv_coordinates& uv) { return measure(patch.shapes, patch.triangles, uv).linf; };
   for(double balance : {0., 0.3}) {
-    const Minimized_map good = minimized(patch, some_map(patch), options(balance, true), 1e-10);
+    const Minimized_map good = minimized(patch, some_map(patch), minimization_of(balance, true), 1e-10);
     const auto& t = patch.triangles[patch.number_of_faces() / 2]; // of interior vertices
     Minimized_map spoiled = good;
     spoiled.uv.row(t[0]) = 0.005 * good.uv.row(t[0]) + 0.4975 * (good.uv.row(t[1]) + good.uv.row(t[2]));
     REQUIRE(number_of_flipped_faces(patch.triangles, spoiled.uv) == 0);
     REQUIRE(linf(spoiled.uv) > 10 * linf(good.uv));
-    Balanced_minimizer(patch, options(balance, true)).settle(spoiled);
+    Balanced_minimizer(patch, minimization_of(balance, true)).settle(spoiled);
     CHECK(number_of_flipped_faces(patch.triangles, spoiled.uv) == 0);
     CHECK(linf(spoiled.uv) < 1.5 * linf(good.uv));
     CHECK(spoiled.report.objective == Approx(energy_by_definition(patch, spoiled.uv, balance)).epsilon(1e-12));
@@ -249,7 +249,7 @@ TEST_CASE("the flat square is found from a bad start, with its border fixed and 
   const Uv_coordinates start = some_map(patch, 0);
   CHECK((start - expected).cwiseAbs().maxCoeff() > 0.01);
   for(bool is_sliding : {false, true}) {
-    const Minimized_map map = minimized(patch, start, options(0.3, is_sliding), 1e-15);
+    const Minimized_map map = minimized(patch, start, minimization_of(0.3, is_sliding), 1e-15);
     CHECK(map.report.l2 == Approx(1).epsilon(1e-10));
     CHECK((map.uv - expected).cwiseAbs().maxCoeff() < 1e-5);
   }

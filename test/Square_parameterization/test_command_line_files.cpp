@@ -43,7 +43,9 @@ TEST_CASE("a truncated file is refused")
 {
   const std::string facets = stl(small);
   for(double share : {0.01, 0.1, 0.25, 0.5, 0.6, 0.75, 0.9, 0.97}) {
-    const auto start_of = [share](const std::string& text) { return text.substr(0, std::size_t(share * text.size())); };
+    const auto start_of = [share](const std::string& text) {
+      return text.substr(0, std::size_t(share * double(text.size())));
+    };
     check_refusal_of_text("in.off", start_of(off(small)), BAD_FILE);
     check_refusal_of_text("in.ply", start_of(ply(small)), BAD_FILE);
     check_refusal_of_text("in.ply", start_of(binary_ply(small)), BAD_FILE);

@@ -186,7 +186,7 @@ TEST_CASE("a closed surface is cut: its vertices stay, seams part the texture al
     const auto report = nlohmann::json::parse(result.out), conditioned = report["conditioned"];
     const std::size_t seams = conditioned["seam_edges"], chords = conditioned["chords_split"];
     CHECK(seams >= 2);
-    CHECK(conditioned["cut_length"] == Approx(seams * std::sqrt(2.) / std::sqrt(4 * std::sqrt(3.))));
+    CHECK(conditioned["cut_length"] == Approx(double(seams) * std::sqrt(2.) / std::sqrt(4 * std::sqrt(3.))));
     CHECK(conditioned["border_edges"] == 2 * seams);
 
     std::istringstream lines(read_file(output));

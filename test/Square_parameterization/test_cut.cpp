@@ -149,7 +149,7 @@ TEST_CASE("the nearest vertex is that of lowest number among all that are neares
   };
   // on a grid the ends and the middle of every edge, and the middle of every face, are as near to several vertices
   for(const Triangle_surface& surface :
-      {surface_of(plane(9, 3)), surface_of(ellipsoid(3, 2)), surface_of(plane(5, 0.1))}) {
+      {surface_of(plane(9, 3)), surface_of(ellipsoid(3, 2)), surface_of(plane(5, 0))}) {
     for(const auto& [a, b] : surface.edges)
       for(double t : {0., 0.25, 0.5, 1.})
         CHECK(check(surface, (1 - t) * surface.points[a] + t * surface.points[b]));

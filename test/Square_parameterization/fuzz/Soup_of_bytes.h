@@ -85,7 +85,8 @@ private:
   {
     for(std::size_t i = 0; i < m; ++i)
       for(std::size_t j = 0; j < n; ++j) {
-        const double u = 6.283185307 * i / m, v = 6.283185307 * j / n, radius = 2 + std::cos(v);
+        const double u = 6.283185307 * double(i) / double(m), v = 6.283185307 * double(j) / double(n),
+                     radius = 2 + std::cos(v);
         m_soup.points.push_back(is_torus ? Eigen::Vector3d(radius * std::cos(u), radius * std::sin(u), std::sin(v))
                                          : Eigen::Vector3d(double(i), double(j), 0));
       }

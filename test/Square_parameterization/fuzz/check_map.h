@@ -32,12 +32,12 @@ inline void demand(bool condition, const std::string& sentence)
 /// the mesh of conditioned triangles
 inline Fuzz_mesh mesh_of(const CGAL_ext::internal::Surface_soup& soup)
 {
-  typedef Fuzz_mesh::Vertex_index Vertex;
+  const auto vertex = [](std::size_t v) { return Fuzz_mesh::Vertex_index(static_cast<Fuzz_mesh::size_type>(v)); };
   Fuzz_mesh mesh;
   for(const Eigen::Vector3d& p : soup.points)
     mesh.add_vertex(Fuzz_kernel::Point_3(p.x(), p.y(), p.z()));
   for(const auto& face : soup.faces)
-    demand(mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2])) != Fuzz_mesh::null_face(),
+    demand(mesh.add_face(vertex(face[0]), vertex(face[1]), vertex(face[2])) != Fuzz_mesh::null_face(),
            "a conditioned soup is no mesh");
   return mesh;
 }

@@ -14,7 +14,11 @@
 #include "../../examples/Square_parameterization/include/square_map/read_surface.h"
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
 
@@ -188,8 +192,8 @@ std::vector<Model> read_models(std::vector<std::string> files)
     Conditioning_options options;
     options.topology = Topology::CONNECTED;
     condition_soup(soup, options);
-    const Mesh mesh = square_map::make_mesh(soup);
-    const Surface_arrays arrays = read_faces(mesh, faces(mesh), mesh.points()).arrays;
+    const square_map::Mesh mesh = square_map::make_mesh(soup);
+    const Surface_arrays arrays = read_faces(mesh, mesh.faces(), mesh.points()).arrays;
     models.push_back({std::filesystem::path(file).stem().string(), make_checked_surface(arrays), {}});
   }
   return models;

@@ -18,6 +18,7 @@
 #include <CGAL_ext/Square_parameterization/error_message.h>
 #include <CGAL_ext/Square_parameterization/measure_stretch.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
+#include <CGAL_ext/Square_parameterization/split_chords.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -124,7 +125,7 @@ Answer map_by_quarter_brute_force(Mesh& mesh, Halfedge border, UV_map uv)
   Count_evaluations count;
   CGAL_ext::Square_search_options options;
   options.visitor = &count;
-  const SMP::Error_code status = SMP::parameterize(mesh, Quarter_brute_force(Quarter_search(options)), border, uv);
+  const SMP::Error_code status = SMP::parameterize(mesh, Quarter_brute_force(Quarter_search({}, options)), border, uv);
   return answer(status, count.evaluations);
 }
 

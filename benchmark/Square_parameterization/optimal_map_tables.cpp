@@ -15,6 +15,12 @@
 #include "../../examples/Square_parameterization/include/square_map/option_values.h"
 #include "../../examples/Square_parameterization/include/square_map/read_surface.h"
 
+#include <CGAL_ext/Square_parameterization/internal/energy/measure.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_patch.h>
+#include <CGAL_ext/Square_parameterization/split_chords.h>
+
 #include <Eigen/SVD>
 
 #include <iomanip>
@@ -85,7 +91,7 @@ void print_balances(const Model& model)
 {
   std::cout << model.name << ", " << model.patch.number_of_faces()
             << " faces               L2     Linf sym.Dir.   angles largest s1 flips\n";
-  Square_map_options<Mesh> paper;
+  Square_map_settings paper;
   paper.minimization = Stretch_minimization();
   square_map::apply_paper_preset(paper);
   print_measures("paper, brute force", model.patch,
@@ -134,7 +140,7 @@ bool print_bracketing(const Model& model)
   for(const auto& sample : found.curve)
     reached = (std::min)(reached, sample.objective);
   const double limit = (std::max)(12., std::floor(2 * std::log2(double(all.candidates))) + 4);
-  const bool is_hit = reached <= least * (1 + TOLERANCE) && found.evaluations <= limit;
+  const bool is_hit = reached <= least * (1 + TOLERANCE) && double(found.evaluations) <= limit;
   std::cout << std::left << std::setw(28) << model.name << std::right << std::setw(8) << all.candidates << std::setw(13)
             << found.evaluations << std::setw(8) << std::setprecision(0) << limit << std::setw(12)
             << std::setprecision(4) << 100 * (reached / least - 1) << (is_hit ? "" : "  missed") << std::endl;

@@ -350,7 +350,7 @@ TEST_CASE("neighboring polygons do not get the same diagonal, which would have f
   for(const std::size_t n : {4, 6}) {
     Surface_soup pillow{{}, Faces(2)};
     for(std::size_t v = 0; v < n; ++v) {
-      pillow.points.emplace_back(std::cos(2 * PI * v / n), std::sin(2 * PI * v / n), 0);
+      pillow.points.emplace_back(std::cos(2 * PI * double(v) / double(n)), std::sin(2 * PI * double(v) / double(n)), 0);
       pillow.faces[0].push_back(v);
       pillow.faces[1].push_back(n - 1 - v);
     }

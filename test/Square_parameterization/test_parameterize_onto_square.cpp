@@ -16,8 +16,9 @@ namespace {
 Square_map_options<Surface_mesh> with_corners(const std::array<std::size_t, 4>& corners)
 {
   Square_map_options<Surface_mesh> options;
-  typedef Surface_mesh::Vertex_index Vertex;
-  options.corners = {Vertex(corners[0]), Vertex(corners[1]), Vertex(corners[2]), Vertex(corners[3])};
+  options.corners.emplace();
+  for(std::size_t k = 0; k < 4; ++k)
+    (*options.corners)[k] = Surface_mesh::Vertex_index(static_cast<Surface_mesh::size_type>(corners[k]));
   return options;
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("the best sketch is found among few candidates")
       const Search_report report = search_curve(curve, Bracketing_corner_search(), with_sketches(curve));
       CHECK(report.best_candidate == bottom);
       CHECK(report.evaluations == static_cast<std::size_t>((std::min)(n, 5)));
-      CHECK(report.sketches <= 32 * (1 + std::log(n) / std::log(16)));
+      CHECK(double(report.sketches) <= 32 * (1 + std::log(double(n)) / std::log(16)));
     }
 }
 

@@ -86,7 +86,7 @@ inline std::vector<double> ranks(const std::vector<double>& values)
     while(end < order.size() && values[order[end]] == values[order[begin]])
       ++end;
     for(std::size_t i = begin; i < end; ++i)
-      result[order[i]] = (begin + end - 1) / 2.;
+      result[order[i]] = double(begin + end - 1) / 2.;
     begin = end;
   }
   return result;
@@ -96,7 +96,7 @@ inline std::vector<double> ranks(const std::vector<double>& values)
 inline double rank_correlation(const std::vector<double>& a, const std::vector<double>& b)
 {
   const std::vector<double> x = ranks(a), y = ranks(b);
-  const double mean = (x.size() - 1) / 2.;
+  const double mean = double(x.size() - 1) / 2.;
   double xy = 0, xx = 0, yy = 0;
   for(std::size_t i = 0; i < x.size(); ++i) {
     xy += (x[i] - mean) * (y[i] - mean);

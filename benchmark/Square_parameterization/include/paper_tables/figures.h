@@ -67,19 +67,19 @@ inline double saving(const Experiment& experiment, const char* strategy)
 inline void write_bar_chart(std::ostream& svg, const std::vector<Experiment>& experiments)
 {
   begin_svg(svg, "reduction of time against the quarter brute force, per cent (grey: step sampling, blue: hybrid)");
-  const double slot = (WIDTH - 2. * MARGIN) / (std::max)(std::size_t(1), experiments.size());
+  const double slot = (WIDTH - 2. * MARGIN) / double((std::max)(std::size_t(1), experiments.size()));
   const double scale = (HEIGHT - 2. * MARGIN) / 100;
   for(std::size_t i = 0; i < experiments.size(); ++i)
     for(int bar = 0; bar < 2; ++bar) {
       const double value = (std::max)(0., saving(experiments[i], bar == 0 ? "step-sampling" : "hybrid"));
-      svg << "<rect x='" << MARGIN + slot * (i + 0.1 + 0.4 * bar) << "' y='" << HEIGHT - MARGIN - scale * value
+      svg << "<rect x='" << MARGIN + slot * (double(i) + 0.1 + 0.4 * bar) << "' y='" << HEIGHT - MARGIN - scale * value
           << "' width='" << 0.4 * slot << "' height='" << scale * value << "' fill='"
           << (bar == 0 ? "grey" : "steelblue") << "'><title>" << experiments[i].name << ": " << value
           << "</title></rect>\n";
     }
   svg << "<path stroke='black' d='M" << MARGIN << ' ' << HEIGHT - MARGIN << "H" << WIDTH - MARGIN << "'/>\n";
   for(std::size_t i = 0; i < experiments.size(); ++i)
-    svg << "<text font-size='9' text-anchor='end' transform='translate(" << MARGIN + slot * (i + 0.6) << ','
+    svg << "<text font-size='9' text-anchor='end' transform='translate(" << MARGIN + slot * (double(i) + 0.6) << ','
         << HEIGHT - MARGIN + 10 << ") rotate(-30)'>" << experiments[i].name << "</text>\n";
   for(int percent = 0; percent <= 100; percent += 25)
     svg << "<text x='" << MARGIN - 5 << "' y='" << HEIGHT - MARGIN - scale * percent << "' text-anchor='end'>"

@@ -21,8 +21,6 @@ struct Surface_edits
   std::vector<int> copies;                ///< per vertex that cutting adds, the one that it is a copy of
   std::vector<std::array<int, 2>> splits; ///< the ends of the edges to split; each adds a vertex
   std::size_t border_splits = 0;          ///< how many of the splits, the first ones, are of border edges
-
-  bool is_empty() const { return seams.empty() && splits.empty(); }
 };
 
 } // namespace internal

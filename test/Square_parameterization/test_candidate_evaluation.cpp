@@ -161,7 +161,7 @@ TEST_CASE("candidates without a map are evaluated but never the best")
   const Stretch_curve curve{INFEASIBLE, 3, INFEASIBLE, 2};
   Candidate_evaluation evaluation = evaluation_of(curve);
   CHECK(evaluation({0, 2}) == std::vector<double>{INFEASIBLE, INFEASIBLE});
-  CHECK(evaluation.report().best_candidate == -1);
+  CHECK_FALSE(evaluation.report().best_candidate);
   CHECK(evaluation.report().best_objective == INFEASIBLE);
   CHECK(evaluation.best_map().uv.rows() == 0);
   CHECK(evaluation.report().evaluations == 2);
@@ -204,7 +204,7 @@ TEST_CASE("a cancelled search keeps the best so far and stops within one evaluat
     least = std::min(least, sample.objective);
   }
   CHECK(report.best_objective == least);
-  CHECK(evaluation.best_map().uv(0, 0) == report.best_candidate);
+  CHECK(evaluation.best_map().uv(0, 0) == *report.best_candidate);
 }
 
 TEST_CASE("a search cancelled at once has no best")
@@ -213,7 +213,7 @@ TEST_CASE("a search cancelled at once has no best")
   Candidate_evaluation evaluation = evaluation_of(curve, {1, nullptr, [](double) { return false; }});
   CHECK_THROWS_AS(evaluation({0, 1}), Search_cancelled);
   CHECK(evaluation.report().evaluations == 0);
-  CHECK(evaluation.report().best_candidate == -1);
+  CHECK_FALSE(evaluation.report().best_candidate);
   CHECK(evaluation.report().is_cancelled);
 }
 

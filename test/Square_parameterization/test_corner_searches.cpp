@@ -56,7 +56,7 @@ TEST_CASE("brute force passes over candidates without a map")
   const int best = minimum_of(curve);
   curve[best] = INFEASIBLE;
   CHECK(search_curve(curve, Brute_force_corner_search()).best_candidate == minimum_of(curve));
-  CHECK(search_curve(Stretch_curve(20, INFEASIBLE), Brute_force_corner_search()).best_candidate == -1);
+  CHECK_FALSE(search_curve(Stretch_curve(20, INFEASIBLE), Brute_force_corner_search()).best_candidate);
 }
 
 TEST_CASE("no search evaluates the first candidate alone")
@@ -80,7 +80,7 @@ TEST_CASE("a few corners come near the optimum of a smooth curve")
       if(candidates <= 4)
         CHECK(report.evaluations == static_cast<std::size_t>(candidates));
     }
-  CHECK(search_curve(Stretch_curve(20, INFEASIBLE), internal::Few_corners_search()).best_candidate == -1);
+  CHECK_FALSE(search_curve(Stretch_curve(20, INFEASIBLE), internal::Few_corners_search()).best_candidate);
 }
 
 TEST_CASE("a strategy says from which candidates it chooses")
@@ -189,7 +189,7 @@ TEST_CASE("a strategy that is cancelled is left by what is no std::exception, an
   CHECK((destroyed == 1 && errors == 0 && others == 1));
   // cancelled before the first map: no strategy is to blame for that
   const Search_report none = search_curve(valley(9, 4), search, {1, nullptr, [](double) { return false; }});
-  CHECK((none.is_cancelled && none.evaluations == 0 && none.best_candidate == -1));
+  CHECK((none.is_cancelled && none.evaluations == 0 && !none.best_candidate));
 }
 
 TEST_CASE("a strategy's own exception comes out")

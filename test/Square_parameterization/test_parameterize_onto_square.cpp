@@ -228,7 +228,7 @@ TEST_CASE("a search that is cancelled at the first question delivers nothing, an
     CHECK(result.message == "the search was stopped after 0 candidates, none with a one-to-one map");
     CHECK(result.search.is_cancelled);
     CHECK(result.search.evaluations == 0);
-    CHECK(result.search.best_candidate == -1);
+    CHECK_FALSE(result.search.best_candidate);
     CHECK(questions == 1);
     CHECK(uv.empty());
   }

@@ -159,6 +159,6 @@ TEST_CASE("a search may be cancelled while it makes sketches")
   const Search_outcome outcome = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
   CHECK(asked == 5);
   CHECK(outcome.report.is_cancelled);
-  CHECK(outcome.report.best_candidate == -1);
+  CHECK_FALSE(outcome.report.best_candidate);
   CHECK(outcome.map.uv.rows() == 0);
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL_ext {
@@ -28,7 +29,7 @@ struct Search_report
   int candidates = 0;          ///< number of candidates the strategy could choose from
   std::size_t evaluations = 0; ///< number of candidates that were mapped, each counted once
   std::size_t sketches = 0; ///< number of candidates that were mapped on a coarser mesh, to choose those to be mapped
-  int best_candidate = -1;  ///< -1 when no candidate has a one-to-one map
+  std::optional<int> best_candidate;                               ///< none when no candidate has a one-to-one map
   double best_objective = std::numeric_limits<double>::infinity(); ///< of the best candidate
   /// positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1); 0 without a map
   std::array<int, 4> corners{};

@@ -131,7 +131,7 @@ inline Experiment run_experiment(const std::string& name, const Mesh& mesh, CGAL
     const auto result = map_copy(mesh, options);
     if(result.status != CGAL::Surface_mesh_parameterization::OK)
       throw std::runtime_error(result.message);
-    experiment.runs[strategy] = {result.search.evaluations, result.search.best_candidate, result.measures.l2,
+    experiment.runs[strategy] = {result.search.evaluations, *result.search.best_candidate, result.measures.l2,
                                  result.search_seconds};
     if(strategy == "quarter-brute-force") {
       experiment.curve = result.search.curve;

@@ -66,7 +66,7 @@ inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double tot
     std::cerr << "the border was too short for four corners: an edge of it was split\n";
   if(result.chords_split > 0)
     std::cerr << result.chords_split << " chords were split\n";
-  std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << result.search.best_candidate << ", "
+  std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << *result.search.best_candidate << ", "
             << result.search.evaluations << " evaluated, " << total_seconds << " s\n";
 }
 

@@ -84,7 +84,7 @@ inline nlohmann::ordered_json best_map_report(const Job& job)
   std::vector<std::size_t> corners;
   for(Mesh::Vertex_index v : result.corners)
     corners.push_back(v.idx());
-  return {{"candidate", result.search.best_candidate},
+  return {{"candidate", *result.search.best_candidate},
           {"corners", corners}, // of the cut mesh
           {"input_corners", input_corners(job)},
           {"l2", result.measures.l2},

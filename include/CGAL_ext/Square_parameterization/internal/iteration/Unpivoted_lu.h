@@ -22,7 +22,7 @@ namespace internal {
 ///
 /// A convex combination matrix is a diagonally dominant M-matrix, for which elimination without pivots is stable. Then
 /// L and U are found like the factor of Davis' LDL (ACM TOMS 31, 2005), a row of L with a column of U at a time. On
-/// surfaces of 50000 vertices this takes the time of Eigen's SparseLU, on smaller ones less, on larger ones more (2.7
+/// grids of 40000 vertices this takes the time of Eigen's SparseLU, on smaller ones less, on larger ones more (2.7
 /// times at 250000); and programs with SparseLU take 4 s and 300 MB more to compile. The rows come in a fill-reducing order already (see `Convex_combination_system`).
 class Unpivoted_lu
 {

@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -188,7 +189,7 @@ private:
     m_samples.at(candidate) = sample;
     ++m_finished;
     if(objective < m_best_map.report.objective ||
-       (objective == m_best_map.report.objective && candidate < m_best_candidate)) {
+       (objective == m_best_map.report.objective && m_best_candidate && candidate < *m_best_candidate)) {
       m_best_candidate = candidate;
       m_best_map = std::move(map);
     }
@@ -207,7 +208,7 @@ private:
   std::map<int, Search_report::Sample> m_samples;
   std::map<int, Uv_coordinates> m_warm_starts; // by candidate
   std::size_t m_finished = 0;
-  int m_best_candidate = -1;
+  std::optional<int> m_best_candidate;
   Minimized_map m_best_map;
   bool m_is_cancelled = false;
 };

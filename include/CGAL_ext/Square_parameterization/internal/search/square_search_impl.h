@@ -108,9 +108,9 @@ private:
       report.sketches = sketching.evaluations;
       report.is_cancelled |= sketching.is_cancelled;
     }
-    if(report.best_candidate >= 0) {
+    if(report.best_candidate) {
       report.best_objective = outcome.map.report.objective;
-      report.corners = border_of(report.best_candidate).corners;
+      report.corners = border_of(*report.best_candidate).corners;
     }
   }
 
@@ -141,7 +141,8 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome map_with_corners(const Patch& patch, con
   outcome.report.candidates = 1;
   outcome.report.evaluations = 1;
   outcome.report.best_objective = outcome.map.report.objective;
-  outcome.report.best_candidate = outcome.map.uv.rows() > 0 ? corners[0] : -1;
+  if(outcome.map.uv.rows() > 0)
+    outcome.report.best_candidate = corners[0];
   outcome.report.corners = border.corners;
   outcome.report.curve = {{corners[0], outcome.map.report.objective, outcome.map.report.l2}};
   return outcome;

@@ -2,14 +2,16 @@
 //
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
-#include "include/square_map/Output_file.h"
+#include "include/square_map/Output_set.h"
 #include "include/square_map/messages.h"
 #include "include/square_map/report.h"
+#include "include/square_map/signals.h"
+
+#include <CGAL/version_macros.h>
 
 #include <unistd.h>
 
 #include <iostream>
-#include <memory>
 #include <numeric>
 
 namespace {
@@ -25,49 +27,19 @@ enum Exit_status
   NO_ONE_TO_ONE_MAP = 5
 };
 
-/// the files that are written: both are opened first, and take their places together at the end
-class Outputs
+/// adds the outputs that the command line names, the map first: the report tells how long it took to write
+void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
 {
-public:
-  explicit Outputs(const Command_line& line)
-  {
-    if(!line.output.empty())
-      m_map = std::make_unique<Output_file>(line.output);
-    if(!line.json.empty() && line.json != "-")
-      m_report = std::make_unique<Output_file>(line.json);
-  }
-
-  void write_map(Job& job)
-  {
-    if(!m_map)
-      return;
-    square_map::write_map(m_map->stream(), job.mesh, job.uv, job.originals, extension_of(job.line.output));
-    m_map->close();
-  }
-
-  void write_report(const Job& job)
-  {
-    if(job.line.json.empty())
-      return;
-    std::ostream& stream = m_report ? static_cast<std::ostream&>(m_report->stream()) : std::cout;
+  outputs.add(job.line.output, [&job](std::ostream& stream) {
+    write_map(stream, job.mesh, job.uv, job.originals, extension_of(job.line.output));
+  });
+  outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
+    job.seconds.write = watch.total() - job.seconds.total;
+    job.seconds.total = watch.total();
     // a file name need not be UTF-8
-    stream << make_report(job).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
-    if(!stream)
-      throw Output_error("cannot write the report to '" + job.line.json + "'");
-    if(m_report)
-      m_report->close();
-  }
-
-  void commit()
-  {
-    for(Output_file* file : {m_map.get(), m_report.get()})
-      if(file != nullptr)
-        file->commit();
-  }
-
-private:
-  std::unique_ptr<Output_file> m_map, m_report;
-};
+    stream << make_report(job).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  });
+}
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
 {
@@ -140,7 +112,8 @@ Exit_status run(Command_line command_line)
   const CGAL_ext::Square_map_result<Mesh>& result = job.result;
   CGAL_ext::internal::Surface_soup soup = read_input(job);
   job.seconds.read = watch.lap();
-  Outputs outputs(job.line);
+  Output_set outputs;
+  add_outputs(job, watch, outputs);
   make_mesh_of(std::move(soup), job);
   const double mesh_seconds = watch.lap();
   map_mesh(job);
@@ -152,11 +125,9 @@ Exit_status run(Command_line command_line)
     std::cerr << "square_map: " << result.message << '\n';
     return result.search.evaluations == 0 ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
-  outputs.write_map(job);
-  job.seconds.write = watch.lap();
+  job.seconds.total = watch.total(); // before the outputs are written
+  outputs.write_and_commit();
   job.seconds.total = watch.total();
-  outputs.write_report(job);
-  outputs.commit();
   if(!job.line.is_quiet) {
     tell_conditioning(job.conditioning);
     tell_map(result, job.seconds.total);
@@ -164,32 +135,44 @@ Exit_status run(Command_line command_line)
   return DONE;
 }
 
+/// writes a text that was asked for, and nothing else
+Exit_status show(const std::string& text)
+{
+  Output_file("-").write([&text](std::ostream& stream) { stream << text; });
+  return DONE;
+}
+
+/// tells why there is no map. Allocates nothing: there may be no memory left.
+Exit_status fail(const char* reason, Exit_status status)
+{
+  std::cerr << "square_map: " << reason << '\n';
+  return status;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const auto fail = [](const std::exception& error, Exit_status status) {
-    std::cerr << "square_map: " << error.what() << '\n';
-    return status;
-  };
+  open_standard_streams();
+  handle_signals();
   try {
     const Command_line line = parse_command_line(argc, argv);
-    if(line.wants_help) {
-      std::cout << line.help;
-      return DONE;
-    }
+    if(line.wants_help)
+      return show(line.help);
+    if(line.wants_version)
+      return show("square_map " SQUARE_MAP_VERSION " (CGAL " CGAL_VERSION_STR ")\n");
     return run(line);
   } catch(const Usage_error& error) {
-    return fail(error, BAD_COMMAND_LINE);
+    return fail(error.what(), BAD_COMMAND_LINE);
   } catch(const Output_error& error) {
-    return fail(error, BAD_COMMAND_LINE);
+    return fail(error.what(), BAD_COMMAND_LINE);
   } catch(const Malformed_file& error) {
-    return fail(error, BAD_FILE);
+    return fail(error.what(), BAD_FILE);
   } catch(const CGAL_ext::internal::Unmappable& error) {
-    return fail(error, UNMAPPABLE);
+    return fail(error.what(), UNMAPPABLE);
   } catch(const std::bad_alloc&) {
-    return fail(std::runtime_error("there is not enough memory for this surface"), UNMAPPABLE);
+    return fail("there is not enough memory for this surface", UNMAPPABLE);
   } catch(const std::exception& error) {
-    return fail(error, UNMAPPABLE);
+    return fail(error.what(), UNMAPPABLE);
   }
 }

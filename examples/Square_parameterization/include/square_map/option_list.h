@@ -21,7 +21,7 @@ namespace square_map {
 /// what the user asked for
 struct Command_line
 {
-  bool wants_help = false;
+  bool wants_help = false, wants_version = false;
   std::string help;
   std::string input, output, json, seams;
   std::string strategy, minimizer = "optimal";
@@ -51,6 +51,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   po::options_description options("options");
   auto add = options.add_options();
   add("help,h", "show this text");
+  add("version", "show the versions of this program and of CGAL");
   add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),
       "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
@@ -92,7 +93,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("corners", po::value(&given.corners)->value_name("a,b,c,d"),
       "four border vertices, counter-clockwise, counted from 0: no search; one that is cut stands for its copies");
   add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");
-  add("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
+  add("quiet,q", po::bool_switch(&line.is_quiet), "no progress on the terminal");
   return options;
 }
 

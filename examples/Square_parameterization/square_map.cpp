@@ -4,8 +4,10 @@
 
 #include "include/square_map/Output_set.h"
 #include "include/square_map/messages.h"
+#include "include/square_map/out_of_memory.h"
 #include "include/square_map/report.h"
 #include "include/square_map/signals.h"
+#include "include/square_map/spare_address_space.h"
 
 #include <CGAL/version_macros.h>
 
@@ -155,6 +157,8 @@ int main(int argc, char** argv)
 {
   open_standard_streams();
   handle_signals();
+  spare_address_space();
+  Out_of_memory::handle(UNMAPPABLE);
   try {
     const Command_line line = parse_command_line(argc, argv);
     if(line.wants_help)
@@ -171,7 +175,7 @@ int main(int argc, char** argv)
   } catch(const CGAL_ext::internal::Unmappable& error) {
     return fail(error.what(), UNMAPPABLE);
   } catch(const std::bad_alloc&) {
-    return fail("there is not enough memory for this surface", UNMAPPABLE);
+    return fail(OUT_OF_MEMORY, UNMAPPABLE);
   } catch(const std::exception& error) {
     return fail(error.what(), UNMAPPABLE);
   }

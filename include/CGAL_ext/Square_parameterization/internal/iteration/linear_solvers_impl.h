@@ -10,6 +10,9 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
+#include <new>
+#include <string>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -53,6 +56,15 @@ public:
   {
     m_factorization.isSymmetric(true);
     m_factorization.setPivotThreshold(0);
+  }
+
+  /// Throws `std::bad_alloc`: the factorization catches it, tells it in words alone, and may leave `info()` as it was.
+  bool factorize(const Sparse_matrix& matrix) override
+  {
+    const bool is_factorized = Direct_solver::factorize(matrix);
+    if(m_factorization.lastErrorMessage().find("MEMORY") != std::string::npos)
+      throw std::bad_alloc();
+    return is_factorized;
   }
 };
 

@@ -26,12 +26,6 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// the number of threads that 0 stands for
-inline unsigned int default_number_of_threads()
-{
-  return static_cast<unsigned int>(tbb::this_task_arena::max_concurrency());
-}
-
 /// the number of threads that map a surface of \p number_of_vertices: as many as asked for; for 0 all cores, but for
 /// large surfaces no more than have room in about 2 GB
 inline unsigned int number_of_search_threads(unsigned int number_of_threads, int number_of_vertices)

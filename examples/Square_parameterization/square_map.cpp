@@ -89,6 +89,30 @@ std::vector<int> originals_of(const CGAL_ext::Square_map_result<Mesh>& result, s
   return originals;
 }
 
+/// tells what is wrong with the corners, by the numbers that the file has: those of the mesh may be others
+[[noreturn]] void refuse_corners(const std::array<std::size_t, 4>& corners,
+                                 const CGAL_ext::Square_map_result<Mesh>& result)
+{
+  if(result.wrong_corner)
+    throw Usage_error("corner vertex " + std::to_string(corners[*result.wrong_corner]) + " is not on the border");
+  if(!result.counter_clockwise_corners)
+    throw Usage_error(result.message);
+  std::string order;
+  for(int k : *result.counter_clockwise_corners)
+    order += (order.empty() ? "" : ",") + std::to_string(corners[k]);
+  throw Usage_error(result.message + "; this would be: " + order);
+}
+
+/// refuses a corner that is not a vertex of the file
+void check_corners(const Job& job)
+{
+  if(job.line.corners)
+    for(std::size_t v : *job.line.corners)
+      if(v >= job.input_vertices)
+        throw Usage_error("corner vertex " + std::to_string(v) + " does not exist: the file has " +
+                          counted(job.input_vertices, "vertex", "vertices") + ", counted from 0");
+}
+
 /// maps the mesh. Throws for corners that are none; other failures are in the status of the result.
 void map_mesh(Job& job)
 {
@@ -98,11 +122,8 @@ void map_mesh(Job& job)
     line.options.search_options.visitor = &progress;
   job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(line.options));
   line.options.search_options.visitor = nullptr;
-  if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER) {
-    if(const auto k = job.result.wrong_corner) // the file numbers its vertices otherwise than the mesh
-      throw Usage_error("corner vertex " + std::to_string((*line.corners)[*k]) + " is not on the border");
-    throw Usage_error(job.result.message);
-  }
+  if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
+    refuse_corners(*line.corners, job.result);
   job.originals = originals_of(job.result, job.uncut_vertices);
 }
 
@@ -113,6 +134,7 @@ Exit_status run(Command_line command_line)
   Job job(std::move(command_line));
   const CGAL_ext::Square_map_result<Mesh>& result = job.result;
   CGAL_ext::internal::Surface_soup soup = read_input(job);
+  check_corners(job);
   job.seconds.read = watch.lap();
   Output_set outputs;
   add_outputs(job, watch, outputs);

@@ -81,20 +81,23 @@ inline Corners border_positions(const std::array<int, 4>& corners, const Surface
     }
   }
   const std::optional<Corners> positions = place_corners(patch.border_lengths, places);
-  if(!positions)
-    throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
-                     "the four corners are not distinct border vertices in counter-clockwise order");
-  return *positions;
+  if(positions)
+    return *positions;
+  report.counter_clockwise_corners = counter_clockwise_order(patch.border_lengths, places);
+  throw Unmappable(SMP::ERROR_WRONG_PARAMETER, report.counter_clockwise_corners
+                                                   ? "the four corners are not in counter-clockwise order"
+                                                   : "the four corners are not distinct border vertices");
 }
 
 /// the search has found no map
 [[noreturn]] inline void refuse_without_map(const Search_report& report)
 {
   const std::string evaluations = std::to_string(report.evaluations);
+  const std::string candidates = report.evaluations == 1 ? " candidate" : " candidates";
   throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
                    report.is_cancelled
-                       ? "the search was stopped after " + evaluations + " candidates, none with a one-to-one map"
-                       : "none of " + evaluations + " evaluated candidates has a one-to-one map");
+                       ? "the search was stopped after " + evaluations + candidates + ", none with a one-to-one map"
+                       : "none of " + evaluations + " evaluated" + candidates + " has a one-to-one map");
 }
 
 /// maps the patch with the given corners, or with those of a search. Throws `Unmappable` when there is no map.

@@ -146,14 +146,17 @@ Exit_status run(Command_line command_line)
   job.seconds.search = result.search_seconds;
   job.seconds.final = watch.lap() - result.cut_seconds - result.condition_seconds - result.search_seconds;
   if(result.status != CGAL::Surface_mesh_parameterization::OK) {
-    std::cerr << "square_map: " << result.message << '\n';
-    return result.search.evaluations == 0 ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
+    std::cerr << "square_map: " << (result.search.is_cancelled ? "the time limit was reached: " : "") << result.message
+              << '\n';
+    return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
   job.seconds.total = watch.total(); // before the outputs are written
   outputs.write_and_commit();
   job.seconds.total = watch.total();
   if(!job.line.is_quiet) {
     tell_conditioning(job.conditioning);
+    if(has_reached_time_limit(job))
+      std::cerr << "the time limit was reached: this is the best map so far\n";
     tell_map(result, job.seconds.total);
   }
   return DONE;

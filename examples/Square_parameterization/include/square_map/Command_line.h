@@ -7,6 +7,7 @@
 #include "option_effects.h"
 #include "write_map.h"
 
+#include <chrono>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -178,6 +179,13 @@ inline void set_search(const Given_options& given, Command_line& line)
     options.search_options.walk = named<Walk>(
         {{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", given.walk);
   options.search_options.number_of_threads = given.threads;
+  if(given.has("time-limit")) {
+    if(!(given.time_limit > 0 && given.time_limit <= 1e9))
+      throw Usage_error("--time-limit must be above 0 and at most 1e9 seconds");
+    options.search_options.deadline =
+        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(given.time_limit));
+  }
   if(given.has("corners")) {
     line.corners = parse_corners(given.corners);
     line.strategy = "none";

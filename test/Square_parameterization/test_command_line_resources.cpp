@@ -76,10 +76,10 @@ TEST_CASE("a file that grows beyond the limit of its size is refused, and nothin
 
 TEST_CASE("a time limit gives the best map so far, and the report says so")
 {
-  const Soup soup = sheet(60, 60);
+  const Soup soup = sheet(100, 100);
   const Arguments all{"--strategy", "brute-force", "--threads", "1"};
   const auto start = std::chrono::steady_clock::now();
-  const Mapped mapped = check_map(soup, all + Arguments{"--time-limit", "0.8"});
+  const Mapped mapped = check_map(soup, all + Arguments{"--time-limit", "1.5"});
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20)); // all of it takes a minute
   CHECK(mapped.report["time_limit_reached"] == true);
   CHECK(mapped.report["evaluations"] < mapped.report["candidates"]);

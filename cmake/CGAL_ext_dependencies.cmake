@@ -3,5 +3,4 @@
 find_package(CGAL 5.5 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
 include(CGAL_Eigen3_support)
-find_package(TBB REQUIRED)
-include(CGAL_TBB_support)
+find_package(Threads REQUIRED)

@@ -5,7 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(
   g++ cmake ninja-build
-  libcgal-dev libeigen3-dev libtbb-dev libboost-dev    # the library
+  libcgal-dev libeigen3-dev libboost-dev               # the library
   libboost-program-options-dev nlohmann-json3-dev      # the command
   libcgal-demo                                         # real meshes
 )

@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Convex_combination_system.h>
 
 #include <Eigen/LU>
+#include <Eigen/SparseLU>
 
 #include <catch2/catch.hpp>
 
@@ -128,6 +129,24 @@ TEST_CASE("the map of uniform weights is that of a solution by hand")
   CHECK(uv(4, 1) == Approx(1 / 2.).epsilon(1e-14));
   CHECK(uv(5, 0) == Approx(6 / 7.).epsilon(1e-14));
   CHECK(uv(5, 1) == Approx(1 / 2.).epsilon(1e-14));
+}
+
+TEST_CASE("elimination without pivots solves the systems of the iteration as Eigen's SparseLU does")
+{
+  const Patch patch = make_patch_of(noisy_height_field(30));
+  const Convex_combination_system system(patch, Mean_value_weights()(patch));
+  REQUIRE_FALSE(system.is_symmetric());
+  const auto solver = make_direct_solver(false);
+  Convex_combination_system::Equations equations;
+  for(unsigned int seed = 0; seed < 3; ++seed) {
+    system.assemble(random_factors(patch, seed), first_square_border(patch), equations);
+    Right_hand_sides solution;
+    REQUIRE(solver->factorize(equations.matrix));
+    REQUIRE(solver->solve(equations.right_hand_sides, solution));
+    const Right_hand_sides expected =
+        Eigen::SparseLU<Sparse_matrix>(equations.matrix).solve(equations.right_hand_sides);
+    CHECK((solution - expected).cwiseAbs().maxCoeff() < 1e-10);
+  }
 }
 
 TEST_CASE("a singular matrix is reported, not solved")

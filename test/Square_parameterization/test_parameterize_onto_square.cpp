@@ -4,8 +4,6 @@
 #include "reference_stretch.h"
 #include "square_map_case.h"
 
-#include <tbb/global_control.h>
-
 #include <catch2/catch.hpp>
 
 using namespace CGAL_ext;
@@ -167,7 +165,6 @@ TEST_CASE("the map does not depend on the scale and the place of the mesh")
 
 TEST_CASE("the map is the same to the last bit for any number of threads")
 {
-  const tbb::global_control allow_more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
   const Flat_mesh flat = noisy_height_field(9);
   Square_map_options<Surface_mesh> options;
   options.search = Brute_force_corner_search();

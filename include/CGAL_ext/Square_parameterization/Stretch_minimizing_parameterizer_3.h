@@ -91,7 +91,8 @@ public:
   /// \param maximum_iterations largest number of linear systems solved after the first
   /// \param sparse_la solves the linear systems; none: each system has a solver of its own. One that is given serves
   ///        one thread at a time, since its copies may share their state, as those of `CGAL::Eigen_solver_traits` do:
-  ///        it makes a search on several threads slower.
+  ///        it makes a search on several threads slower. One that is parallel itself, by TBB, is not to be given to
+  ///        parameterizers that run in tasks of TBB: a task that waits for it may be followed by another that wants it.
   explicit Stretch_minimizing_parameterizer_3(Border_parameterizer border = Border_parameterizer(),
                                               Base_weights weights = Base_weights(), double eta = 0.3,
                                               unsigned int patience = 1, unsigned int maximum_iterations = 100,

@@ -4,8 +4,6 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_THREAD_TEAM_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_THREAD_TEAM_H
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <cstddef>
@@ -26,19 +24,12 @@ namespace internal {
 /// the number of threads that 0 stands for
 inline unsigned int default_number_of_threads()
 {
-  return static_cast<unsigned int>(tbb::this_task_arena::max_concurrency());
-}
-
-/// runs a task that may be parallel itself, by TBB, so that its thread takes up no other tasks while it waits: what a
-/// thread does with a mutex locked
-template <class Task>
-auto run_isolated(const Task& task)
-{
-  return tbb::this_task_arena::isolate(task);
+  return (std::max)(1u, std::thread::hardware_concurrency());
 }
 
 /// runs independent tasks on a given number of threads, or on those that can be made: where the process has no room for
-/// more of them the tasks are done by fewer. (TBB, which has the loops for this, ends the process then.)
+/// more of them the tasks are done by fewer. TBB, which has the loops for this, ends the process then, and what it
+/// includes is an eighth of the memory that it takes to compile a program with this package.
 ///
 /// The calling thread is one of the team. The others are made by the first call that has work for them, and wait from
 /// then on: what a thread has as its own it keeps from call to call.

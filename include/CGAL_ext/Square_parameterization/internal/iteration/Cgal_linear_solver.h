@@ -4,7 +4,6 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_CGAL_LINEAR_SOLVER_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_CGAL_LINEAR_SOLVER_H
 
-#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
 
 #include <memory>
@@ -29,7 +28,7 @@ public:
   bool lend(const Use& use)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    return run_isolated([&] { return use(m_solver); });
+    return use(m_solver);
   }
 
 private:

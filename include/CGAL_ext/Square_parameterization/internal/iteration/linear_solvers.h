@@ -28,7 +28,7 @@ public:
 /// makes a solver for symmetric positive definite matrices, given as their upper triangle, or for general matrices
 using Linear_solver_factory = std::function<std::unique_ptr<Linear_solver>(bool is_symmetric)>;
 
-/// makes a factorization of Eigen's that keeps its symbolic analysis: of Cholesky for symmetric matrices, else LU
+/// makes a factorization that keeps its symbolic analysis: Eigen's LDL^T for symmetric matrices, else LU without pivots
 std::unique_ptr<Linear_solver> make_direct_solver(bool is_symmetric);
 
 } // namespace internal

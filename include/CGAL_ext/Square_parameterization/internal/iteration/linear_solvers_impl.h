@@ -5,27 +5,24 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_LINEAR_SOLVERS_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Unpivoted_lu.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
-
-#include <new>
-#include <string>
 
 namespace CGAL_ext {
 namespace internal {
 
-/// a factorization of Eigen whose symbolic analysis is done once, at the first matrix
-template <class Factorization>
-class Direct_solver : public Linear_solver
+/// for symmetric positive definite matrices of which the upper triangle is stored, rows in a fill-reducing order
+/// already. The symbolic analysis is done once, at the first matrix.
+class Symmetric_solver : public Linear_solver
 {
 public:
   bool factorize(const Sparse_matrix& matrix) override
   {
-    if(!m_analyzed)
+    if(!m_is_analyzed)
       m_factorization.analyzePattern(matrix);
-    m_analyzed = true;
+    m_is_analyzed = true;
     m_factorization.factorize(matrix);
     return m_factorization.info() == Eigen::Success;
   }
@@ -36,36 +33,32 @@ public:
     return m_factorization.info() == Eigen::Success && solution.allFinite();
   }
 
-protected:
-  Factorization m_factorization;
-
 private:
-  bool m_analyzed = false;
+  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> m_factorization;
+  bool m_is_analyzed = false;
 };
 
-/// for symmetric positive definite matrices of which the upper triangle is stored. The rows come in a fill-reducing
-/// order already (see `Convex_combination_system`), so that no factorization has to permute the matrix.
-using Symmetric_solver = Direct_solver<Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>>;
-
-/// for matrices with a symmetric pattern, rows in a fill-reducing order already. A convex combination matrix is a
-/// diagonally dominant M-matrix, for which elimination along the diagonal is stable: no pivot is looked for.
-class General_solver : public Direct_solver<Eigen::SparseLU<Sparse_matrix, Eigen::NaturalOrdering<int>>>
+/// for matrices with a symmetric pattern, rows in a fill-reducing order already
+class General_solver : public Linear_solver
 {
 public:
-  General_solver()
-  {
-    m_factorization.isSymmetric(true);
-    m_factorization.setPivotThreshold(0);
-  }
-
-  /// Throws `std::bad_alloc`: the factorization catches it, tells it in words alone, and may leave `info()` as it was.
   bool factorize(const Sparse_matrix& matrix) override
   {
-    const bool is_factorized = Direct_solver::factorize(matrix);
-    if(m_factorization.lastErrorMessage().find("MEMORY") != std::string::npos)
-      throw std::bad_alloc();
-    return is_factorized;
+    if(!m_is_analyzed)
+      m_factorization.analyze(matrix);
+    m_is_analyzed = true;
+    return m_factorization.factorize(matrix);
   }
+
+  bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const override
+  {
+    m_factorization.solve(right_hand_sides, solution);
+    return solution.allFinite();
+  }
+
+private:
+  Unpivoted_lu m_factorization;
+  bool m_is_analyzed = false;
 };
 
 CGAL_EXT_INLINE_FUNCTION std::unique_ptr<Linear_solver> make_direct_solver(bool is_symmetric)

@@ -7,18 +7,48 @@
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/MP_Float.h>
+
+#include <cmath>
+#include <limits>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
 namespace internal {
 
+/// products of which the sum of the amounts is below may have lost bits to underflow
+constexpr double MAGNITUDE_WITHOUT_UNDERFLOW = 1e-270;
+
+// CGAL's filtered kernels decide the same, but bring the number types of all their predicates along, which doubles what
+// this room costs to compile.
+
+/// twice the signed area of a triangle in exact arithmetic. The coordinates are finite.
+inline CGAL::MP_Float exact_twice_area(const Uv_coordinates& uv, const std::array<int, 3>& t)
+{
+  const auto side = [&](int corner, int axis) {
+    return CGAL::MP_Float(uv(t[corner], axis)) - CGAL::MP_Float(uv(t[0], axis));
+  };
+  return side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0);
+}
+
 CGAL_EXT_INLINE_FUNCTION bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  const auto point = [&](int v) { return Kernel::Point_2(uv(v, 0), uv(v, 1)); };
-  return CGAL::orientation(point(t[0]), point(t[1]), point(t[2])) == CGAL::LEFT_TURN;
+  const double left = (uv(t[1], 0) - uv(t[0], 0)) * (uv(t[2], 1) - uv(t[0], 1));
+  const double right = (uv(t[1], 1) - uv(t[0], 1)) * (uv(t[2], 0) - uv(t[0], 0));
+  const double magnitude = std::abs(left) + std::abs(right);
+  if(!std::isfinite(magnitude) || magnitude < MAGNITUDE_WITHOUT_UNDERFLOW) {
+    for(int corner : t)
+      if(!uv.row(corner).allFinite())
+        return false;
+    return exact_twice_area(uv, t).sign() == CGAL::POSITIVE;
+  }
+  // Shewchuk 1997, orient2d's first error bound: three roundings each of the products, one of the difference
+  constexpr double EPSILON = std::numeric_limits<double>::epsilon() / 2, BOUND = (3 + 16 * EPSILON) * EPSILON;
+  const double twice_area = left - right;
+  if(std::abs(twice_area) > BOUND * magnitude)
+    return twice_area > 0;
+  return exact_twice_area(uv, t).sign() == CGAL::POSITIVE;
 }
 
 CGAL_EXT_INLINE_FUNCTION std::size_t number_of_flipped_faces(const std::vector<std::array<int, 3>>& triangles,

@@ -47,7 +47,7 @@ inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen
   }
   Eigen::RowVector2d center(0, 0);
   for(const Eigen::RowVector2d& p : kernel)
-    center += p / kernel.size();
+    center += p / static_cast<double>(kernel.size());
   return center;
 }
 

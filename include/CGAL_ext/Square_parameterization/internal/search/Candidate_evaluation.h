@@ -9,8 +9,6 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -65,15 +63,15 @@ public:
   /// maps one candidate, from the warm start of a neighbor if that is not null; called by one thread at a time
   using Worker = std::function<Minimized_map(int candidate, const Uv_coordinates* warm_start)>;
 
-  /// \param make_worker makes the worker of a thread
+  /// \param make_worker makes a worker, of which each thread that maps has one; called by several threads at a time
   /// \param number_of_threads 0 for all cores
   /// \param visitor told of each evaluation, by one thread at a time; may be null
   /// \param callback asked before each evaluation, by one thread at a time, with the share of the candidates evaluated
   ///        so far; `false` stops. May be empty.
-  Candidate_evaluation(int number_of_candidates, const std::function<Worker()>& make_worker,
-                       unsigned int number_of_threads, Search_visitor* visitor, std::function<bool(double)> callback)
+  Candidate_evaluation(int number_of_candidates, std::function<Worker()> make_worker, unsigned int number_of_threads,
+                       Search_visitor* visitor, std::function<bool(double)> callback)
     : m_number_of_candidates(number_of_candidates),
-      m_workers(make_worker),
+      m_make_worker(std::move(make_worker)),
       m_team(number_of_threads, number_of_candidates),
       m_visitor(visitor),
       m_callback(std::move(callback))
@@ -119,7 +117,7 @@ public:
   bool is_untouched() const { return m_samples.empty() && !m_is_cancelled; }
 
   /// frees the memory of the threads. \pre no more candidates are evaluated
-  void release_workers() { m_workers.clear(); }
+  void release_workers() { m_idle_workers.clear(); }
 
   /// what has been found, but for the corners
   Search_report report() const
@@ -163,11 +161,27 @@ private:
     return nearest;
   }
 
+  /// a worker that no other thread uses; the last one that was put back, whose memory is the likeliest to be at hand
+  Worker take_worker()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if(!m_idle_workers.empty()) {
+        Worker worker = std::move(m_idle_workers.back());
+        m_idle_workers.pop_back();
+        return worker;
+      }
+    }
+    return m_make_worker();
+  }
+
   void evaluate(int candidate, const Uv_coordinates* warm_start, bool keeps_warm_start)
   {
-    Minimized_map map = m_workers.local()(candidate, warm_start);
+    Worker worker = take_worker();
+    Minimized_map map = worker(candidate, warm_start);
     const double objective = map.report.objective;
     const std::lock_guard<std::mutex> lock(m_mutex);
+    m_idle_workers.push_back(std::move(worker));
     if(keeps_warm_start && map.warm_start.rows() > 0)
       m_warm_starts[candidate] = map.warm_start;
     const Search_report::Sample sample{candidate, objective, map.report.l2};
@@ -183,12 +197,13 @@ private:
   }
 
   const int m_number_of_candidates;
-  tbb::enumerable_thread_specific<Worker> m_workers;
+  std::function<Worker()> m_make_worker;
   Thread_team m_team;
   Search_visitor* m_visitor;
   std::function<bool(double)> m_callback;
 
   std::mutex m_mutex; // guards what follows while threads run
+  std::vector<Worker> m_idle_workers;
   std::map<int, Search_report::Sample> m_samples;
   std::map<int, Uv_coordinates> m_warm_starts; // by candidate
   std::size_t m_finished = 0;

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+namespace {
+
+bool is_left_turn_by_cgal(const Uv_coordinates& uv)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  const auto point = [&](int v) { return Kernel::Point_2(uv(v, 0), uv(v, 1)); };
+  return CGAL::orientation(point(0), point(1), point(2)) == CGAL::LEFT_TURN;
+}
+
+/// a triangle whose third vertex lies on the line of the others, but for rounding
+Uv_coordinates nearly_flat_triangle(Random_numbers& random)
+{
+  Uv_coordinates uv(3, 2);
+  uv << random(0, 1), random(0, 1), random(0, 1), random(0, 1), 0, 0;
+  uv.row(2) = uv.row(0) + random(-1, 2) * (uv.row(1) - uv.row(0));
+  return uv;
+}
+
+} // namespace
+
+TEST_CASE("the orientation of triangles is that of CGAL's exact predicate")
+{
+  Random_numbers random(1);
+  std::size_t agreements = 0, left_turns = 0;
+  constexpr std::size_t TRIANGLES = 3000;
+  for(double scale : {1., 1e-8, 1e8, 1e-150, 1e-160, 1e-300, 1e150, 1e300}) {
+    CAPTURE(scale);
+    agreements = left_turns = 0;
+    for(std::size_t k = 0; k < TRIANGLES; ++k) {
+      Uv_coordinates uv = nearly_flat_triangle(random);
+      if(k % 3 == 1) // on a lattice: exactly flat, many of them
+        uv = (uv * 4).array().round();
+      if(k % 3 == 2)
+        uv(2, 0) = std::nextafter(uv(2, 0), random(-9, 9));
+      uv *= scale;
+      const bool is_left_turn = is_left_turn_by_cgal(uv);
+      left_turns += is_left_turn;
+      agreements += is_left_turn == is_counterclockwise(uv, {0, 1, 2});
+    }
+    CHECK(agreements == TRIANGLES);
+    CHECK(left_turns > TRIANGLES / 10);
+    CHECK(left_turns < TRIANGLES * 9 / 10);
+  }
+}
+
+TEST_CASE("a triangle with a coordinate that is not finite is not counter-clockwise")
+{
+  for(double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    for(int place = 0; place < 6; ++place) {
+      Uv_coordinates uv(3, 2);
+      uv << 0, 0, 1, 0, 0, 1;
+      uv(place / 2, place % 2) = bad;
+      CHECK_FALSE(is_counterclockwise(uv, {0, 1, 2}));
+    }
+}

@@ -2,14 +2,18 @@
 //
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
-#include "include/square_map/Output_file.h"
+#include "include/square_map/Output_set.h"
 #include "include/square_map/messages.h"
+#include "include/square_map/out_of_memory.h"
 #include "include/square_map/report.h"
+#include "include/square_map/signals.h"
+#include "include/square_map/spare_address_space.h"
+
+#include <CGAL/version_macros.h>
 
 #include <unistd.h>
 
 #include <iostream>
-#include <memory>
 #include <numeric>
 
 namespace {
@@ -25,49 +29,19 @@ enum Exit_status
   NO_ONE_TO_ONE_MAP = 5
 };
 
-/// the files that are written: both are opened first, and take their places together at the end
-class Outputs
+/// adds the outputs that the command line names, the map first: the report tells how long it took to write
+void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
 {
-public:
-  explicit Outputs(const Command_line& line)
-  {
-    if(!line.output.empty())
-      m_map = std::make_unique<Output_file>(line.output);
-    if(!line.json.empty() && line.json != "-")
-      m_report = std::make_unique<Output_file>(line.json);
-  }
-
-  void write_map(Job& job)
-  {
-    if(!m_map)
-      return;
-    square_map::write_map(m_map->stream(), job.mesh, job.uv, job.originals, extension_of(job.line.output));
-    m_map->close();
-  }
-
-  void write_report(const Job& job)
-  {
-    if(job.line.json.empty())
-      return;
-    std::ostream& stream = m_report ? static_cast<std::ostream&>(m_report->stream()) : std::cout;
+  outputs.add(job.line.output, [&job](std::ostream& stream) {
+    write_map(stream, job.mesh, job.uv, job.originals, extension_of(job.line.output));
+  });
+  outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
+    job.seconds.write = watch.total() - job.seconds.total;
+    job.seconds.total = watch.total();
     // a file name need not be UTF-8
-    stream << make_report(job).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
-    if(!stream)
-      throw Output_error("cannot write the report to '" + job.line.json + "'");
-    if(m_report)
-      m_report->close();
-  }
-
-  void commit()
-  {
-    for(Output_file* file : {m_map.get(), m_report.get()})
-      if(file != nullptr)
-        file->commit();
-  }
-
-private:
-  std::unique_ptr<Output_file> m_map, m_report;
-};
+    stream << make_report(job).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  });
+}
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
 {
@@ -115,6 +89,30 @@ std::vector<int> originals_of(const CGAL_ext::Square_map_result<Mesh>& result, s
   return originals;
 }
 
+/// tells what is wrong with the corners, by the numbers that the file has: those of the mesh may be others
+[[noreturn]] void refuse_corners(const std::array<std::size_t, 4>& corners,
+                                 const CGAL_ext::Square_map_result<Mesh>& result)
+{
+  if(result.wrong_corner)
+    throw Usage_error("corner vertex " + std::to_string(corners[*result.wrong_corner]) + " is not on the border");
+  if(!result.counter_clockwise_corners)
+    throw Usage_error(result.message);
+  std::string order;
+  for(int k : *result.counter_clockwise_corners)
+    order += (order.empty() ? "" : ",") + std::to_string(corners[k]);
+  throw Usage_error(result.message + "; this would be: " + order);
+}
+
+/// refuses a corner that is not a vertex of the file
+void check_corners(const Job& job)
+{
+  if(job.line.corners)
+    for(std::size_t v : *job.line.corners)
+      if(v >= job.input_vertices)
+        throw Usage_error("corner vertex " + std::to_string(v) + " does not exist: the file has " +
+                          counted(job.input_vertices, "vertex", "vertices") + ", counted from 0");
+}
+
 /// maps the mesh. Throws for corners that are none; other failures are in the status of the result.
 void map_mesh(Job& job)
 {
@@ -124,11 +122,8 @@ void map_mesh(Job& job)
     line.options.search_options.visitor = &progress;
   job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(line.options));
   line.options.search_options.visitor = nullptr;
-  if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER) {
-    if(const auto k = job.result.wrong_corner) // the file numbers its vertices otherwise than the mesh
-      throw Usage_error("corner vertex " + std::to_string((*line.corners)[*k]) + " is not on the border");
-    throw Usage_error(job.result.message);
-  }
+  if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
+    refuse_corners(*line.corners, job.result);
   job.originals = originals_of(job.result, job.uncut_vertices);
 }
 
@@ -139,8 +134,10 @@ Exit_status run(Command_line command_line)
   Job job(std::move(command_line));
   const CGAL_ext::Square_map_result<Mesh>& result = job.result;
   CGAL_ext::internal::Surface_soup soup = read_input(job);
+  check_corners(job);
   job.seconds.read = watch.lap();
-  Outputs outputs(job.line);
+  Output_set outputs;
+  add_outputs(job, watch, outputs);
   make_mesh_of(std::move(soup), job);
   const double mesh_seconds = watch.lap();
   map_mesh(job);
@@ -149,47 +146,62 @@ Exit_status run(Command_line command_line)
   job.seconds.search = result.search_seconds;
   job.seconds.final = watch.lap() - result.cut_seconds - result.condition_seconds - result.search_seconds;
   if(result.status != CGAL::Surface_mesh_parameterization::OK) {
-    std::cerr << "square_map: " << result.message << '\n';
-    return result.search.evaluations == 0 ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
+    std::cerr << "square_map: " << (result.search.is_cancelled ? "the time limit was reached: " : "") << result.message
+              << '\n';
+    return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
-  outputs.write_map(job);
-  job.seconds.write = watch.lap();
+  job.seconds.total = watch.total(); // before the outputs are written
+  outputs.write_and_commit();
   job.seconds.total = watch.total();
-  outputs.write_report(job);
-  outputs.commit();
   if(!job.line.is_quiet) {
     tell_conditioning(job.conditioning);
+    if(has_reached_time_limit(job))
+      std::cerr << "the time limit was reached: this is the best map so far\n";
     tell_map(result, job.seconds.total);
   }
   return DONE;
+}
+
+/// writes a text that was asked for, and nothing else
+Exit_status show(const std::string& text)
+{
+  Output_file("-").write([&text](std::ostream& stream) { stream << text; });
+  return DONE;
+}
+
+/// tells why there is no map. Allocates nothing: there may be no memory left.
+Exit_status fail(const char* reason, Exit_status status)
+{
+  std::cerr << "square_map: " << reason << '\n';
+  return status;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const auto fail = [](const std::exception& error, Exit_status status) {
-    std::cerr << "square_map: " << error.what() << '\n';
-    return status;
-  };
+  open_standard_streams();
+  handle_signals();
+  spare_address_space();
+  Out_of_memory::handle(UNMAPPABLE);
   try {
     const Command_line line = parse_command_line(argc, argv);
-    if(line.wants_help) {
-      std::cout << line.help;
-      return DONE;
-    }
+    if(line.wants_help)
+      return show(line.help);
+    if(line.wants_version)
+      return show("square_map " SQUARE_MAP_VERSION " (CGAL " CGAL_VERSION_STR ")\n");
     return run(line);
   } catch(const Usage_error& error) {
-    return fail(error, BAD_COMMAND_LINE);
+    return fail(error.what(), BAD_COMMAND_LINE);
   } catch(const Output_error& error) {
-    return fail(error, BAD_COMMAND_LINE);
+    return fail(error.what(), BAD_COMMAND_LINE);
   } catch(const Malformed_file& error) {
-    return fail(error, BAD_FILE);
+    return fail(error.what(), BAD_FILE);
   } catch(const CGAL_ext::internal::Unmappable& error) {
-    return fail(error, UNMAPPABLE);
+    return fail(error.what(), UNMAPPABLE);
   } catch(const std::bad_alloc&) {
-    return fail(std::runtime_error("there is not enough memory for this surface"), UNMAPPABLE);
+    return fail(OUT_OF_MEMORY, UNMAPPABLE);
   } catch(const std::exception& error) {
-    return fail(error, UNMAPPABLE);
+    return fail(error.what(), UNMAPPABLE);
   }
 }

@@ -180,7 +180,9 @@ TEST_CASE("faces without area are mapped and counted, and the points stay where 
       const Mapped mapped = check_map(soup, options);
       CHECK(std::equal(soup.points.begin(), soup.points.end(), mapped.map.points.begin()));
       CHECK(mapped.report["conditioned"]["degenerate_faces"] >= 1);
-      CHECK(mapped.messages.find("faces without area") != std::string::npos);
+      const std::size_t faces = mapped.report["conditioned"]["degenerate_faces"];
+      const std::string words = faces == 1 ? " face without area was mapped" : " faces without area were mapped";
+      CHECK(mapped.messages.find(std::to_string(faces) + words) != std::string::npos);
     }
   CHECK(check_map(flat_face).report["conditioned"]["degenerate_faces"] == 1);
   CHECK(check_map(small).report["conditioned"]["degenerate_faces"] == 0);

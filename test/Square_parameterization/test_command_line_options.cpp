@@ -160,7 +160,7 @@ TEST_CASE("an output that cannot be written is refused")
   const std::string input = folder.add("in.off", off(small));
   std::filesystem::create_directory(folder / "folder.obj");
   check_refusal(folder, {input, "-o", folder / "missing/map.obj"}, BAD_COMMAND_LINE);
-  check_refusal(folder, {input, "-o", folder / "folder.obj"}, BAD_COMMAND_LINE, "directory");
+  check_refusal(folder, {input, "-o", folder / "folder.obj"}, BAD_COMMAND_LINE, "it is a folder");
   check_refusal(folder, {input, "-o", input + "/map.obj"}, BAD_COMMAND_LINE);
   check_refusal(folder, {input, "-o", ""}, BAD_COMMAND_LINE);
   check_refusal(folder, {input, "-o", folder / "map.obj", "--json", folder / "missing/report.json"}, BAD_COMMAND_LINE);
@@ -226,12 +226,17 @@ TEST_CASE("corners that are not four border vertices in order are refused")
     check_refusal(folder, {input, "-o", folder / "map.obj", "--corners", corners}, BAD_COMMAND_LINE, words);
   };
   check(corner_option({b[0], b[3], inner, b[9]}), "vertex " + std::to_string(inner) + " is not on the border");
-  check(corner_option({b[0], b[3], beyond, b[9]}), "vertex " + std::to_string(beyond) + " is not on the border");
+  check(corner_option({b[0], b[3], beyond, b[9]}),
+        "corner vertex " + std::to_string(beyond) + " does not exist: the file has 35 vertices");
   check(corner_option({b[0], b[3], b[3], b[9]}), "distinct");
-  check(corner_option({b[9], b[6], b[3], b[0]}), "counter-clockwise");
-  check(corner_option({b[0], b[6], b[3], b[9]}), "counter-clockwise");
-  for(const char* malformed : {"", "1", "0,1,2", "0,1,2,3,4", "0,1,2,", "0,,1,2", "a,b,c,d", "0;1;2;3", "-1,1,2,3",
-                               "0,1,2,3x", "0,1,2,99999999999999999999999", "0.5,1,2,3", "+0,1,2,3"})
+  // the order that would be right begins with the same corner
+  check(corner_option({b[9], b[6], b[3], b[0]}),
+        "not in counter-clockwise order; this would be: " + corner_option({b[9], b[0], b[3], b[6]}));
+  check(corner_option({b[0], b[6], b[3], b[9]}),
+        "not in counter-clockwise order; this would be: " + corner_option({b[0], b[3], b[6], b[9]}));
+  for(const char* malformed :
+      {"", "1", "0,1,2", "0 1 2 3", "0, 1, 2, ", "0, 1, 2, 3 4", "0,1,2,3,4", "0,1,2,", "0,,1,2", "a,b,c,d", "0;1;2;3",
+       "-1,1,2,3", "0,1,2,3x", "0,1,2,99999999999999999999999", "0.5,1,2,3", "+0,1,2,3"})
     check(malformed, "--corners");
 }
 

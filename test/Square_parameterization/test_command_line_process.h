@@ -8,9 +8,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -80,33 +82,62 @@ struct Finished_process
   std::string out, err;
 };
 
-/// runs square_map with its output in files; \p out_file, such as a device, may take the place of the first of them
-inline Finished_process square_map(const std::vector<std::string>& arguments, const std::string& out_file = "")
+/// square_map, started with its output in files
+class Running_process
 {
-  const Temporary_folder folder;
-  const std::string out = out_file.empty() ? folder / "out" : out_file, err = folder / "err";
-  std::vector<char*> argv{const_cast<char*>(SQUARE_MAP)};
-  for(const std::string& argument : arguments)
-    argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  const pid_t child = fork();
-  if(child == 0) {
-    const auto redirect = [](const std::string& path, int descriptor) {
-      dup2(open(path.c_str(), O_WRONLY | O_CREAT, 0600), descriptor);
-    };
-    redirect(out, STDOUT_FILENO);
-    redirect(err, STDERR_FILENO);
-    execv(SQUARE_MAP, argv.data());
-    _exit(127);
+public:
+  /// \param out_file such as a device, takes the place of the file for standard output
+  /// \param prepare called in the new process, before square_map takes it over: may set limits or close streams
+  explicit Running_process(
+      const std::vector<std::string>& arguments, const std::string& out_file = "",
+      const std::function<void()>& prepare = [] {})
+    : m_out(out_file.empty() ? m_folder / "out" : out_file), m_err(m_folder / "err")
+  {
+    std::vector<char*> argv{const_cast<char*>(SQUARE_MAP)};
+    for(const std::string& argument : arguments)
+      argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    m_child = fork();
+    if(m_child == 0) {
+      const auto redirect = [](const std::string& path, int descriptor) {
+        dup2(open(path.c_str(), O_WRONLY | O_CREAT, 0600), descriptor);
+      };
+      redirect(m_out, STDOUT_FILENO);
+      redirect(m_err, STDERR_FILENO);
+      for(int signal : {SIGINT, SIGHUP, SIGPIPE}) // whoever runs the tests may ignore them
+        std::signal(signal, SIG_DFL);
+      prepare();
+      execv(SQUARE_MAP, argv.data());
+      _exit(127);
+    }
   }
-  Finished_process result;
-  int status = 0;
-  waitpid(child, &status, 0);
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  if(out_file.empty())
-    result.out = read_file(out);
-  result.err = read_file(err);
-  return result;
+
+  void send(int signal) const { kill(m_child, signal); }
+
+  Finished_process wait()
+  {
+    Finished_process result;
+    int status = 0;
+    waitpid(m_child, &status, 0);
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    if(m_out == m_folder / "out")
+      result.out = read_file(m_out);
+    result.err = read_file(m_err);
+    return result;
+  }
+
+private:
+  Temporary_folder m_folder;
+  std::string m_out, m_err;
+  pid_t m_child;
+};
+
+/// runs square_map to its end
+inline Finished_process square_map(
+    const std::vector<std::string>& arguments, const std::string& out_file = "",
+    const std::function<void()>& prepare = [] {})
+{
+  return Running_process(arguments, out_file, prepare).wait();
 }
 
 #endif // TEST_COMMAND_LINE_PROCESS_H

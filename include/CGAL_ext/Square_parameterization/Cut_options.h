@@ -6,7 +6,9 @@
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 
+#include <chrono>
 #include <limits>
+#include <optional>
 
 namespace CGAL_ext {
 
@@ -59,6 +61,9 @@ struct Seam_options : Cut_options
   /// `BEST`: balance of the energy by which cuts are judged, in [0, 1]: see `Balanced_minimization`
   double balance = Balanced_minimization().balance;
   unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
+
+  /// `BEST`: when it has passed, no more cuts are compared, and the best so far is taken
+  std::optional<std::chrono::steady_clock::time_point> deadline;
 
   /// indicates whether all numbers are in their range
   bool is_valid() const { return Cut_options::is_valid() && balance >= 0 && balance <= 1; }

@@ -44,6 +44,7 @@ struct Cut_report
   double stretch = std::numeric_limits<double>::infinity(); ///< its L2 stretch there
   std::vector<Cut_step> history;  ///< steps of the decision; empty when there was nothing to decide
   std::size_t decision_faces = 0; ///< faces of the surface decided on: fewer than the input's when that was simplified
+  bool is_cancelled = false;      ///< the deadline ended the comparison of cuts: this is the best so far
 };
 
 } // namespace CGAL_ext

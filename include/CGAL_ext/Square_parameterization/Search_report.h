@@ -34,7 +34,7 @@ struct Search_report
   /// positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1); 0 without a map
   std::array<int, 4> corners{};
   std::vector<Sample> curve; ///< the evaluated candidates, in the order of the candidates
-  bool is_cancelled = false; ///< the callback stopped the search: the best so far is reported
+  bool is_cancelled = false; ///< the callback or the deadline stopped the search: the best so far is reported
 };
 
 } // namespace CGAL_ext

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct Square_map_report
   CGAL::Surface_mesh_parameterization::Error_code status = CGAL::Surface_mesh_parameterization::OK;
   std::string message;                ///< one sentence that names the condition and the place; empty on `OK`
   std::optional<int> wrong_corner;    ///< of given corners the first, 0 to 3, that is not on the border
+  /// of given corners that are distinct, but not counter-clockwise: their numbers, 0 to 3, in an order that is
+  std::optional<std::array<int, 4>> counter_clockwise_corners;
   Cut_report cut;                     ///< without seams for a disk that stays whole
   std::size_t border_edges_split = 0; ///< one when the border had three edges: a square needs four
   std::size_t chords_split = 0;       ///< number of edges that were split at their midpoint

@@ -7,7 +7,9 @@
 #include <CGAL_ext/Square_parameterization/Corner_rule.h>
 #include <CGAL_ext/Square_parameterization/Search_visitor.h>
 
+#include <chrono>
 #include <functional>
+#include <optional>
 
 namespace CGAL_ext {
 
@@ -25,10 +27,15 @@ struct Square_search_options
                                       ///< large (1 to 3 kB a vertex); the result is the same for any number
   Search_visitor* visitor = nullptr;  ///< is told of the search and of the minimization of the map; may be null
 
+  /// when it has passed, no evaluation and no sketch begins, and the best candidate so far is delivered, marked as
+  /// cancelled, as when the callback stops the search. Of the time until then `parameterize_onto_square()` spends half
+  /// on the decision where to cut, at most. The result then depends on the speed of the machine.
+  std::optional<std::chrono::steady_clock::time_point> deadline;
+
   /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], and before each
   /// sketch, with 0. When it returns `false` the search stops within one evaluation per thread and the best candidate
   /// so far is delivered, marked as cancelled; without a candidate so far there is no map
-  /// (`ERROR_NO_1_TO_1_MAPPING`). It alone stops a search.
+  /// (`ERROR_NO_1_TO_1_MAPPING`). It and the deadline alone stop a search.
   ///
   /// The strategy is left by an exception that is not derived from `std::exception`: see `CornerSearch`.
   std::function<bool(double)> callback;

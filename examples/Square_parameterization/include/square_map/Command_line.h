@@ -7,6 +7,7 @@
 #include "option_effects.h"
 #include "write_map.h"
 
+#include <chrono>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -25,7 +26,7 @@ inline void read_options(int argc, char** argv, Given_options& given, Command_li
           "maps a triangle mesh (OFF, OBJ, PLY, STL), cut where it must be, onto the unit square with little stretch\n"
        << visible
        << "exit status: 0 done; 2 bad command line; 3 unreadable or malformed file; 4 the surface cannot be mapped;\n"
-          "5 no one-to-one map was found\n";
+          "5 no one-to-one map was found; 128 + S ended by signal S\n";
   line.help = help.str();
 
   po::options_description all;
@@ -42,6 +43,17 @@ inline void read_options(int argc, char** argv, Given_options& given, Command_li
     throw Usage_error(error.what());
   }
   line.wants_help = given.has("help");
+  line.wants_version = given.has("version");
+}
+
+/// refuses what is no name of a file. A value that begins with a dash is an option whose predecessor lacks its value.
+inline void check_file_name(const std::string& option, const std::string& name)
+{
+  if(name.empty())
+    throw Usage_error("--" + option + " needs the name of a file");
+  if(name[0] == '-' && name != "-")
+    throw Usage_error("--" + option + " needs the name of a file, not the option " + name +
+                      "; a file of this name is ./" + name);
 }
 
 inline void check_options(const Given_options& given, const Command_line& line)
@@ -51,9 +63,23 @@ inline void check_options(const Given_options& given, const Command_line& line)
   for(const char* number : {"threads", "patience", "step", "interval", "seed"})
     if(given.has(number) && (given.all[number].as<int>() < 0 || given.all[number].as<int>() > 1000000))
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
-  for(const char* file : {"output", "json", "seams"})
-    if(given.has(file) && given.all[file].as<std::string>().empty())
-      throw Usage_error(std::string("--") + file + " needs the name of a file");
+  for(const char* option : {"output", "json", "seams"})
+    if(given.has(option))
+      check_file_name(option, given.all[option].as<std::string>());
+}
+
+/// indicates whether two names stand for one file, be there one or not yet: however they are spelled, through links, and
+/// also when one of them is `-`, and standard output goes to the file of the other
+inline bool is_same_file(const std::string& a, const std::string& b)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto is_stream = [](const std::string& name) { return name == "-"; };
+  const fs::path path_a = is_stream(a) ? "/dev/stdout" : a, path_b = is_stream(b) ? "/dev/stdout" : b;
+  if(fs::is_character_file(path_a, error)) // a terminal, or /dev/null: several may write there
+    return false;
+  return fs::weakly_canonical(fs::absolute(path_a), error) == fs::weakly_canonical(fs::absolute(path_b), error) ||
+         fs::equivalent(path_a, path_b, error);
 }
 
 /// checks the names of the files: the output has a known extension, and no file is named twice
@@ -65,16 +91,11 @@ inline void check_files(const Command_line& line)
     if(extension != "obj" && extension != "off" && extension != "ply")
       throw Usage_error("the output '" + line.output + "' must end in .obj, .off or .ply");
   }
-  std::vector<std::string> files{line.input, line.seams, line.output, line.json == "-" ? "" : line.json};
+  const std::vector<std::string> files{line.input, line.seams, line.output, line.json};
   for(std::size_t i = 0; i < files.size(); ++i)
-    for(std::size_t j = i + 1; j < files.size(); ++j) {
-      std::error_code error;
-      if(files[i].empty() || files[j].empty())
-        continue;
-      if(fs::weakly_canonical(files[i], error) == fs::weakly_canonical(files[j], error) ||
-         fs::equivalent(files[i], files[j], error))
+    for(std::size_t j = i + 1; j < files.size(); ++j)
+      if(!files[i].empty() && !files[j].empty() && is_same_file(files[i], files[j]))
         throw Usage_error("'" + files[i] + "' and '" + files[j] + "' are the same file");
-    }
 }
 
 /// how a map is minimised: the preset, and what is given beside it
@@ -158,6 +179,13 @@ inline void set_search(const Given_options& given, Command_line& line)
     options.search_options.walk = named<Walk>(
         {{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", given.walk);
   options.search_options.number_of_threads = given.threads;
+  if(given.has("time-limit")) {
+    if(!(given.time_limit > 0 && given.time_limit <= 1e9))
+      throw Usage_error("--time-limit must be above 0 and at most 1e9 seconds");
+    options.search_options.deadline =
+        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(given.time_limit));
+  }
   if(given.has("corners")) {
     line.corners = parse_corners(given.corners);
     line.strategy = "none";
@@ -170,7 +198,7 @@ inline Command_line parse_command_line(int argc, char** argv)
   Command_line line;
   Given_options given;
   read_options(argc, argv, given, line);
-  if(line.wants_help)
+  if(line.wants_help || line.wants_version)
     return line;
   check_options(given, line);
   set_minimizer(given, line);

@@ -63,6 +63,12 @@ struct Job
   Timings seconds;
 };
 
+/// indicates whether the map is the best so far, and not that of a whole run: nothing else stops a cut or a search
+inline bool has_reached_time_limit(const Job& job)
+{
+  return job.result.search.is_cancelled || job.result.cut.is_cancelled;
+}
+
 } // namespace square_map
 
 #endif // SQUARE_MAP_JOB_H

@@ -4,85 +4,176 @@
 #ifndef SQUARE_MAP_OUTPUT_FILE_H
 #define SQUARE_MAP_OUTPUT_FILE_H
 
+#include "Output_target.h"
+#include "Temporary_files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <filesystem>
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
-#include <stdexcept>
+#include <functional>
+#include <iostream>
 #include <string>
 
 namespace square_map {
 
-/// an output that cannot be written
-struct Output_error : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/// a file that appears whole or not at all: text goes to a file beside it, which takes its place in `commit()`.
-/// Opened before any work is done, so that an output that cannot be written is told at once. A target that is not a
-/// regular file (a device, a pipe) is written directly.
+/// one output: a file that appears whole or not at all. Its text goes to a temporary file in the same folder, which
+/// takes its place in `replace()`. A device, a pipe or standard output (`-`) is written directly.
+///
+/// The constructor tells at once when the file cannot be written; until `write()` there is no temporary file, so that
+/// even a process that is killed at work leaves none.
 class Output_file
 {
 public:
-  explicit Output_file(const std::string& path) : m_name(path)
+  explicit Output_file(const std::string& name)
+    : m_name(name), m_target(name == "-" ? Output_target{name, true} : find_output_target(name))
   {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    m_target = fs::weakly_canonical(path, error);
-    if(error || m_target.empty())
-      m_target = path;
-    if(fs::is_directory(m_target, error))
-      throw Output_error("cannot write '" + path + "': it is a directory");
-    m_is_direct = fs::exists(m_target, error) && !fs::is_regular_file(m_target, error);
-    m_written = m_target;
-    if(!m_is_direct)
-      m_written += "." + std::to_string(getpid()) + ".part";
-    m_stream.open(m_written);
-    if(!m_stream)
-      throw Output_error("cannot write '" + path + "'");
-    m_stream.precision(17);
+    if(!m_target.is_direct) {
+      make_temporary_file();
+      remove_temporary_file();
+    } else if(m_name != "-") {
+      m_file.open(m_target.path, std::ios::app); // what an open file such as /dev/stdout holds stays
+      if(!m_file)
+        fail(errno);
+    }
   }
 
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
+  ~Output_file() { remove_temporary_file(); }
 
-  ~Output_file()
+  /// writes the whole text, and makes sure that it has left the process. Throws `Output_error`.
+  void write(const std::function<void(std::ostream&)>& write_text)
   {
-    std::error_code error;
-    if(!m_is_committed && !m_is_direct) {
-      m_stream.close();
-      std::filesystem::remove(m_written, error);
+    if(!m_target.is_direct) {
+      make_temporary_file();
+      m_file.open(m_temporary);
+      if(!m_file)
+        fail(errno);
     }
+    std::ostream stream(m_name == "-" ? std::cout.rdbuf() : m_file.rdbuf());
+    stream.precision(17);
+    errno = 0;
+    try {
+      stream.exceptions(std::ios::badbit | std::ios::failbit); // leaves errno as the failure has set it
+      write_text(stream);
+      stream.flush();
+    } catch(const std::ios_base::failure&) {
+      fail(errno);
+    }
+    if(m_file.is_open() && m_file.rdbuf()->close() == nullptr)
+      fail(errno);
   }
 
-  std::ofstream& stream() { return m_stream; }
-
-  /// makes sure that all text has reached the disk
-  void close()
+  /// lets the text take its place; `write()` was called. Throws `Output_error`.
+  /// \param keeps_former the file that was there is kept beside it, for `restore()`
+  void replace(bool keeps_former)
   {
-    m_stream.close();
-    if(!m_stream)
-      throw Output_error("cannot write '" + m_name + "': the disk may be full");
+    if(m_target.is_direct)
+      return;
+    struct stat former = {};
+    const bool has_former = stat(m_target.path.c_str(), &former) == 0;
+    if(has_former)
+      take_over_mode(former);
+    if(has_former && keeps_former)
+      keep_former();
+    if(rename(m_temporary.c_str(), m_target.path.c_str()) != 0)
+      fail(errno);
+    temporary_files.forget(m_place);
+    m_temporary.clear();
+    m_is_replaced = true;
   }
 
-  /// lets the file take its place; call `close()` first
-  void commit()
+  /// puts back what was there before `replace()`, be it done or failed
+  void restore()
   {
-    std::error_code error;
-    if(!m_is_direct)
-      std::filesystem::rename(m_written, m_target, error);
-    if(error)
-      throw Output_error("cannot write '" + m_name + "': " + error.message());
-    m_is_committed = true;
+    if(!m_former.empty()) {
+      rename(m_former.c_str(), m_target.path.c_str());
+      forget_former(); // two names of one file are left as they are by rename()
+    } else if(m_is_replaced)
+      unlink(m_target.path.c_str());
+    m_is_replaced = false;
+  }
+
+  /// removes what was kept for `restore()`
+  void forget_former()
+  {
+    if(!m_former.empty())
+      unlink(m_former.c_str());
+    m_former.clear();
   }
 
 private:
+  [[noreturn]] void fail(int error) const { throw Output_error(m_name, reason_of(error)); }
+
+  /// a name in the folder of the target that no other process uses; short, for that of the target may be as long as
+  /// names can be
+  std::string name_beside(int number, const char* extension) const
+  {
+    return (m_target.path.parent_path() /
+            (".square_map." + std::to_string(getpid()) + "." + std::to_string(number) + extension))
+        .string();
+  }
+
+  void make_temporary_file()
+  {
+    for(int number = 0;; ++number) {
+      m_temporary = name_beside(number, ".part");
+      m_place = temporary_files.add(m_temporary); // first: a signal may come at any time
+      const int descriptor = open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if(descriptor >= 0) {
+        close(descriptor);
+        return;
+      }
+      const int error = errno;
+      temporary_files.forget(m_place);
+      m_temporary.clear();
+      if(error != EEXIST)
+        fail(error);
+    }
+  }
+
+  void remove_temporary_file()
+  {
+    if(m_temporary.empty())
+      return;
+    unlink(m_temporary.c_str());
+    temporary_files.forget(m_place);
+    m_temporary.clear();
+  }
+
+  /// only the superuser may give a file to another user; a file in a group of one's own may be of that
+  void take_over_mode(const struct stat& former) const
+  {
+    if(chown(m_temporary.c_str(), former.st_uid, former.st_gid) != 0) [[maybe_unused]]
+      const int group = chown(m_temporary.c_str(), static_cast<uid_t>(-1), former.st_gid);
+    chmod(m_temporary.c_str(), former.st_mode & 07777);
+  }
+
+  void keep_former()
+  {
+    for(int number = 0;; ++number) {
+      m_former = name_beside(number, ".old");
+      if(link(m_target.path.c_str(), m_former.c_str()) == 0)
+        return;
+      if(errno == EEXIST)
+        continue;
+      if(rename(m_target.path.c_str(), m_former.c_str()) == 0) // where there are no hard links
+        return;
+      m_former.clear();
+      fail(errno);
+    }
+  }
+
   std::string m_name;
-  std::filesystem::path m_target, m_written;
-  std::ofstream m_stream;
-  bool m_is_direct = false;
-  bool m_is_committed = false;
+  Output_target m_target;
+  std::ofstream m_file;
+  std::string m_temporary, m_former; // empty where there is none
+  int m_place = -1;                  // of the temporary file among those of the process
+  bool m_is_replaced = false;
 };
 
 } // namespace square_map

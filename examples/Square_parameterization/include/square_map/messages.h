@@ -37,35 +37,47 @@ private:
   double m_best = std::numeric_limits<double>::infinity();
 };
 
+/// a number and what it counts: "1 chord was", "2 chords were"
+inline std::string counted(std::size_t count, const std::string& singular, const std::string& plural)
+{
+  return std::to_string(count) + ' ' + (count == 1 ? singular : plural);
+}
+
 /// tells what was done to the polygons of the file
 inline void tell_conditioning(const CGAL_ext::internal::Conditioning_report& conditioning)
 {
+  const auto tell = [](std::size_t count, const char* singular, const char* plural, const char* rest) {
+    if(count > 0)
+      std::cerr << counted(count, singular, plural) << rest << '\n';
+  };
   if(conditioning.components > 1)
     std::cerr << "component " << conditioning.component << " of " << conditioning.components << " was kept, "
-              << conditioning.faces_dropped << " faces of the others were dropped\n";
-  if(conditioning.polygons_triangulated > 0)
-    std::cerr << conditioning.polygons_triangulated << " polygons were split into triangles\n";
-  if(conditioning.vertices_added > 0)
-    std::cerr << conditioning.vertices_added << " vertices were added in polygons that no diagonal could split\n";
-  if(conditioning.faces_reoriented > 0)
-    std::cerr << conditioning.faces_reoriented << " faces were turned round to agree with their neighbors\n";
-  if(conditioning.vertices_dropped > 0)
-    std::cerr << conditioning.vertices_dropped
-              << (conditioning.components > 1 ? " vertices without a kept face" : " isolated vertices")
-              << " were dropped\n";
+              << counted(conditioning.faces_dropped, "face", "faces")
+              << (conditioning.components == 2 ? " of the other" : " of the others")
+              << (conditioning.faces_dropped == 1 ? " was dropped\n" : " were dropped\n");
+  tell(conditioning.polygons_triangulated, "polygon was", "polygons were", " split into triangles");
+  tell(conditioning.vertices_added, "vertex was", "vertices were", " added in polygons that no diagonal could split");
+  tell(conditioning.faces_reoriented, "face was", "faces were", " turned round to agree with the neighbors");
+  if(conditioning.components > 1)
+    tell(conditioning.vertices_dropped, "vertex without a kept face was", "vertices without a kept face were",
+         " dropped");
+  else
+    tell(conditioning.vertices_dropped, "isolated vertex was", "isolated vertices were", " dropped");
 }
 
 /// tells what was done to the mesh, and how good its map is
 inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double total_seconds)
 {
   if(result.cut.seam_edges > 0)
-    std::cerr << "cut along " << result.cut.seam_edges << " edges, " << result.cut.cut_length << " sqrt(area) long\n";
+    std::cerr << "cut along " << counted(result.cut.seam_edges, "edge", "edges") << ", " << result.cut.cut_length
+              << " sqrt(area) long\n";
   if(result.degenerate_faces > 0)
-    std::cerr << result.degenerate_faces << " faces without area were mapped as if they were a little wide\n";
+    std::cerr << counted(result.degenerate_faces, "face without area was mapped as if it were a little wide\n",
+                         "faces without area were mapped as if they were a little wide\n");
   if(result.border_edges_split > 0)
     std::cerr << "the border was too short for four corners: an edge of it was split\n";
   if(result.chords_split > 0)
-    std::cerr << result.chords_split << " chords were split\n";
+    std::cerr << counted(result.chords_split, "chord was split\n", "chords were split\n");
   std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << *result.search.best_candidate << ", "
             << result.search.evaluations << " evaluated, " << total_seconds << " s\n";
 }

@@ -21,7 +21,7 @@ namespace square_map {
 /// what the user asked for
 struct Command_line
 {
-  bool wants_help = false;
+  bool wants_help = false, wants_version = false;
   std::string help;
   std::string input, output, json, seams;
   std::string strategy, minimizer = "optimal";
@@ -35,7 +35,7 @@ struct Command_line
 struct Given_options
 {
   std::string weights, corner_rule, walk, preset, corners, border, cut, component;
-  double eta = 0, balance = 0;
+  double eta = 0, balance = 0, time_limit = 0;
   int patience = 0, threads = 0;
   Tuning tuning;
   boost::program_options::variables_map all;
@@ -51,6 +51,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   po::options_description options("options");
   auto add = options.add_options();
   add("help,h", "show this text");
+  add("version", "show the versions of this program and of CGAL");
   add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),
       "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
@@ -89,10 +90,12 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("patience", po::value(&given.patience)->value_name("N"), "iterates that may fail to be lower; default 1");
   add("threads", po::value(&given.threads)->value_name("N"),
       "threads; 0 (default) for all cores, fewer on large surfaces");
+  add("time-limit", po::value(&given.time_limit)->value_name("SECONDS"),
+      "then no cut and no candidate is begun any more: the best map so far, or exit status 5 when there is none");
   add("corners", po::value(&given.corners)->value_name("a,b,c,d"),
       "four border vertices, counter-clockwise, counted from 0: no search; one that is cut stands for its copies");
   add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");
-  add("quiet", po::bool_switch(&line.is_quiet), "no progress on the terminal");
+  add("quiet,q", po::bool_switch(&line.is_quiet), "no progress on the terminal");
   return options;
 }
 

@@ -98,14 +98,15 @@ inline void apply_paper_preset(CGAL_ext::Square_map_settings& options)
   options.chords = CGAL_ext::Chords::EARS;
 }
 
-/// four vertex numbers separated by commas
+/// four vertex numbers separated by commas, with or without blanks
 inline std::array<std::size_t, 4> parse_corners(const std::string& text)
 {
   std::array<std::size_t, 4> corners{};
   std::istringstream stream(text);
   char comma = ',';
   for(int k = 0; k < 4; ++k)
-    if((k > 0 && !(stream >> comma)) || comma != ',' || !std::isdigit(stream.peek()) || !(stream >> corners[k]))
+    if((k > 0 && !(stream >> comma)) || comma != ',' || !std::isdigit((stream >> std::ws).peek()) ||
+       !(stream >> corners[k]))
       throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
   if(!(stream >> std::ws).eof())
     throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");

@@ -106,6 +106,7 @@ inline nlohmann::ordered_json make_report(const Job& job)
   json["cut"] = cut_report(job.result.cut);
   json["strategy"] = job.line.strategy;
   json["minimizer"] = job.line.minimizer;
+  json["time_limit_reached"] = has_reached_time_limit(job);
   json["candidates"] = search.candidates;
   json["evaluations"] = search.evaluations;
   json["sketches"] = search.sketches;

@@ -76,6 +76,19 @@ inline std::optional<Corners> place_corners(const std::vector<double>& lengths,
   return best ? std::optional<Corners>(best->corners) : std::nullopt;
 }
 
+/// the order, with the first corner first, in which corners that have no places in counter-clockwise order have some;
+/// nothing when there is none
+inline std::optional<std::array<int, 4>> counter_clockwise_order(const std::vector<double>& lengths,
+                                                                 const std::array<std::vector<int>, 4>& places)
+{
+  std::array<int, 4> order{0, 1, 2, 3};
+  do {
+    if(place_corners(lengths, {places[order[0]], places[order[1]], places[order[2]], places[order[3]]}))
+      return order;
+  } while(std::next_permutation(order.begin() + 1, order.end()));
+  return std::nullopt;
+}
+
 } // namespace internal
 } // namespace CGAL_ext
 

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_POOL_H
 
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
@@ -75,8 +76,13 @@ class Cut_pool
 {
 public:
   /// \param max_cut_length in units of sqrt(area)
-  Cut_pool(const Triangle_surface& surface, const Cut_score_options& scoring, double max_cut_length, Thread_team& team)
-    : m_surface(surface), m_scoring(scoring), m_greatest_length(max_cut_length * std::sqrt(surface.area)), m_team(team)
+  Cut_pool(const Triangle_surface& surface, const Cut_score_options& scoring, double max_cut_length, Thread_team& team,
+           const Deadline& deadline)
+    : m_surface(surface),
+      m_scoring(scoring),
+      m_greatest_length(max_cut_length * std::sqrt(surface.area)),
+      m_team(team),
+      m_deadline(deadline)
   {}
 
   const Triangle_surface& surface() const { return m_surface; }
@@ -119,8 +125,12 @@ public:
     return (*this)(std::move(starts), [](Scored_cut&) {});
   }
 
-  /// what all scores together have cost: time is all but proportional to it
-  long vertices_mapped() const { return m_vertices_mapped; }
+  /// what all scores together have cost: time is all but proportional to it. Beyond all limits when the deadline has
+  /// passed.
+  long vertices_mapped() const
+  {
+    return has_passed(m_deadline) ? (std::numeric_limits<long>::max)() / 2 : m_vertices_mapped;
+  }
 
   /// what a score has cost. \pre there is one
   long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
@@ -157,6 +167,7 @@ private:
   Cut_score_options m_scoring;
   double m_greatest_length;
   Thread_team& m_team;
+  const Deadline& m_deadline;
   std::vector<Scored_cut> m_known;                    // in the order in which they came
   std::map<std::vector<int>, std::size_t> m_place_of; // there, per edges of a cut
   long m_vertices_mapped = 0;

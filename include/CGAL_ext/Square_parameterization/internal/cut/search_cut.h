@@ -84,6 +84,7 @@ public:
   Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report, const Cut_numbers& numbers = {})
     : m_scoring{options.cut_weight, options.balance, numbers},
       m_max_cut_length(options.max_cut_length),
+      m_deadline(options.deadline),
       m_team(team),
       m_report(report)
   {}
@@ -100,7 +101,10 @@ public:
 private:
   const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
-  Cut_pool make_pool(const Triangle_surface& surface) { return {surface, m_scoring, m_max_cut_length, m_team}; }
+  Cut_pool make_pool(const Triangle_surface& surface)
+  {
+    return {surface, m_scoring, m_max_cut_length, m_team, m_deadline};
+  }
 
   /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
   /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by a search of
@@ -116,7 +120,7 @@ private:
     const auto is_same = [](const Scored_cut& a, const Scored_cut& b) { return a.cut.edges() == b.cut.edges(); };
     cuts.erase(std::unique(cuts.begin(), cuts.end(), is_same), cuts.end());
     refine_cut(pool, cuts.front(), m_report);
-    const bool is_unjudged = has_many_loops(surface, numbers()) || cuts.front().score.is_slow;
+    const bool is_unjudged = has_many_loops(surface, numbers()) || cuts.front().score.is_slow || has_passed(m_deadline);
     const std::size_t judged = is_unjudged ? 1 : static_cast<std::size_t>(numbers().judged);
     cuts.resize((std::min)(cuts.size(), judged), cuts.front());
     const auto is_empty = [](const Scored_cut& cut) { return cut.cut.edges().empty(); };
@@ -125,6 +129,7 @@ private:
     if(cuts.size() > 1)
       judge(surface, m_scoring, m_team, cuts, m_report);
     const Scored_cut& best = shortest_of_best(cuts, tolerance);
+    m_report.is_cancelled = has_passed(m_deadline);
     m_report.score = best.score.score;
     m_report.stretch = best.score.stretch;
     return best.cut;
@@ -154,6 +159,7 @@ private:
 
   Cut_score_options m_scoring;
   double m_max_cut_length;
+  const Deadline m_deadline;
   Thread_team& m_team;
   Cut_report& m_report;
 };

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_SURFACE_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
@@ -47,6 +48,7 @@ inline Seam_options seam_options(const Square_map_settings& settings)
 {
   Seam_options options(settings.cut);
   options.number_of_threads = settings.search_options.number_of_threads;
+  options.deadline = half_way_to(settings.search_options.deadline);
   if(const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization))
     options.balance = balanced->balance;
   return options;
@@ -81,20 +83,23 @@ inline Corners border_positions(const std::array<int, 4>& corners, const Surface
     }
   }
   const std::optional<Corners> positions = place_corners(patch.border_lengths, places);
-  if(!positions)
-    throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
-                     "the four corners are not distinct border vertices in counter-clockwise order");
-  return *positions;
+  if(positions)
+    return *positions;
+  report.counter_clockwise_corners = counter_clockwise_order(patch.border_lengths, places);
+  throw Unmappable(SMP::ERROR_WRONG_PARAMETER, report.counter_clockwise_corners
+                                                   ? "the four corners are not in counter-clockwise order"
+                                                   : "the four corners are not distinct border vertices");
 }
 
 /// the search has found no map
 [[noreturn]] inline void refuse_without_map(const Search_report& report)
 {
   const std::string evaluations = std::to_string(report.evaluations);
+  const std::string candidates = report.evaluations == 1 ? " candidate" : " candidates";
   throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
                    report.is_cancelled
-                       ? "the search was stopped after " + evaluations + " candidates, none with a one-to-one map"
-                       : "none of " + evaluations + " evaluated candidates has a one-to-one map");
+                       ? "the search was stopped after " + evaluations + candidates + ", none with a one-to-one map"
+                       : "none of " + evaluations + " evaluated" + candidates + " has a one-to-one map");
 }
 
 /// maps the patch with the given corners, or with those of a search. Throws `Unmappable` when there is no map.
@@ -102,6 +107,9 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
                                 const std::optional<Corners>& corners, const Square_map_settings& settings,
                                 Square_map_report& report)
 {
+  report.search.is_cancelled = corners && has_passed(settings.search_options.deadline);
+  if(report.search.is_cancelled)
+    refuse_without_map(report.search);
   Search_outcome outcome = corners ? map_with_corners(patch, minimizer, *corners)
                                    : search_square_map(patch, minimizer, settings.search, settings.search_options);
   report.search = outcome.report;

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SQUARE_SEARCH_IMPL_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SQUARE_SEARCH_IMPL_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
@@ -47,12 +48,12 @@ public:
       m_threads(number_of_search_threads(options.number_of_threads, patch.number_of_vertices())),
       m_evaluation(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
-          options.visitor, options.callback)
+          options.visitor, [this](double share) { return may_continue(share); })
   {
     if(minimizer.has_sketches())
       m_sketches.emplace(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
-          nullptr, [this](double) { return !m_options.callback || m_options.callback(0); });
+          nullptr, [this](double) { return may_continue(0); });
   }
 
   Search_outcome operator()()
@@ -69,6 +70,11 @@ public:
   }
 
 private:
+  bool may_continue(double share) const
+  {
+    return !has_passed(m_options.deadline) && (!m_options.callback || m_options.callback(share));
+  }
+
   Square_border border_of(int candidate) const
   {
     return square_border(m_walk, corners_of_candidate(m_walk, candidate, m_options.corner_rule));

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_OUTPUT_SET_H
+#define SQUARE_MAP_OUTPUT_SET_H
+
+#include "Output_file.h"
+#include "signals.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace square_map {
+
+/// the outputs of a run: all of them are replaced, or none
+class Output_set
+{
+public:
+  typedef std::function<void(std::ostream&)> Write_text;
+
+  /// adds an output, which is checked at once; nothing is added for an empty name. Throws `Output_error`.
+  /// \param write_text writes the text when all work is done
+  void add(const std::string& name, Write_text write_text)
+  {
+    if(!name.empty())
+      m_outputs.push_back({std::make_unique<Output_file>(name), std::move(write_text)});
+  }
+
+  /// writes the texts in the order in which the outputs were added, and when all are written, lets them take their
+  /// places. Throws `Output_error`; all files are as they were then.
+  void write_and_commit()
+  {
+    for(const Output& output : m_outputs)
+      output.file->write(output.write_text);
+    begin_commit();
+    for(std::size_t i = 0; i < m_outputs.size(); ++i)
+      try {
+        m_outputs[i].file->replace(i + 1 < m_outputs.size()); // no output can fail after the last
+      } catch(const Output_error&) {
+        for(std::size_t k = i + 1; k-- > 0;)
+          m_outputs[k].file->restore();
+        throw;
+      }
+    for(const Output& output : m_outputs)
+      output.file->forget_former();
+  }
+
+private:
+  struct Output
+  {
+    std::unique_ptr<Output_file> file;
+    Write_text write_text;
+  };
+
+  std::vector<Output> m_outputs;
+};
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_OUTPUT_SET_H

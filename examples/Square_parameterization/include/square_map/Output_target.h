@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_OUTPUT_TARGET_H
+#define SQUARE_MAP_OUTPUT_TARGET_H
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace square_map {
+
+/// an output that cannot be written
+struct Output_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+  Output_error(const std::string& name, const std::string& reason)
+    : std::runtime_error("cannot write " + (name == "-" ? "to standard output" : "'" + name + "'") + ": " + reason)
+  {}
+};
+
+/// why a file cannot be opened, written or renamed: the words for a value of `errno`
+inline std::string reason_of(int error)
+{
+  switch(error) {
+  case ENOENT:
+  case ENOTDIR:
+    return "no such folder";
+  case EISDIR:
+    return "it is a folder";
+  case EACCES:
+  case EPERM:
+    return "permission denied";
+  case EROFS:
+    return "the file system is read-only";
+  case ENOSPC:
+    return "no space left on the device";
+  case EDQUOT:
+    return "the disk quota is used up";
+  case EFBIG:
+    return "the file would be larger than allowed";
+  case ENAMETOOLONG:
+    return "the name is too long";
+  case ELOOP:
+    return "too many links lead to one another";
+  case EPIPE:
+    return "its reader has gone";
+  case EBADF:
+    return "it is closed";
+  case 0:
+    return "the reason is unknown";
+  default:
+    return std::generic_category().message(error);
+  }
+}
+
+/// indicates whether the path, or a link that it leads through, names an open file of the process, as /dev/stdout does
+inline bool names_open_file(std::filesystem::path path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for(int links = 0; links < 40 && fs::is_symlink(path, error); ++links) {
+    const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), error);
+    if(folder == "/dev" || folder.string().rfind("/proc/", 0) == 0)
+      return true;
+    path = folder / fs::read_symlink(path, error);
+  }
+  return false;
+}
+
+/// where the text of an output goes
+struct Output_target
+{
+  std::filesystem::path path; ///< without links, so that a link to the file stays one
+  bool is_direct;             ///< no regular file of its own (a device, a pipe, an open file): written in place
+};
+
+/// what the name of an output stands for. Throws `Output_error` where that cannot be written.
+inline Output_target find_output_target(const std::string& name)
+{
+  namespace fs = std::filesystem;
+  struct stat status = {};
+  if(stat(name.c_str(), &status) == 0) {
+    if(S_ISDIR(status.st_mode))
+      throw Output_error(name, "it is a folder");
+    if(!S_ISREG(status.st_mode) || names_open_file(name))
+      return {name, true};
+    if((status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0) // the superuser may, but it was meant to stay
+      throw Output_error(name, "it is read-only");
+    if(faccessat(AT_FDCWD, name.c_str(), W_OK, AT_EACCESS) != 0)
+      throw Output_error(name, reason_of(errno));
+    return {fs::canonical(name), false};
+  }
+  if(errno != ENOENT)
+    throw Output_error(name, reason_of(errno));
+  std::error_code error;
+  if(fs::is_symlink(name, error))
+    throw Output_error(name, "it is a link to a file that does not exist");
+  const fs::path path = fs::absolute(name), folder = fs::canonical(path.parent_path(), error);
+  if(error || path.filename().empty())
+    throw Output_error(name, reason_of(ENOENT));
+  return {folder / path.filename(), false};
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_OUTPUT_TARGET_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_SIGNALS_H
+#define SQUARE_MAP_SIGNALS_H
+
+#include "Temporary_files.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+namespace square_map {
+
+/// what a signal finds the process at
+enum class Run_phase
+{
+  WORKING,    ///< no output has been touched: a signal ends the process
+  COMMITTING, ///< the outputs take their places, or have: a signal is passed over, a second one ends the process
+  ENDING      ///< by a signal
+};
+
+inline std::atomic<Run_phase> run_phase{Run_phase::WORKING};
+
+/// The process ends in the handler, whatever it is at: cutting, mapping, or waiting for a reader. This leaves nothing
+/// to undo, for outputs are written elsewhere until they take their places. It calls only what a handler may call.
+extern "C" inline void square_map_end_by_signal(int signal)
+{
+  static std::atomic<bool> was_passed_over{false};
+  Run_phase phase = Run_phase::WORKING;
+  if(!run_phase.compare_exchange_strong(phase, Run_phase::ENDING) && phase == Run_phase::COMMITTING &&
+     !was_passed_over.exchange(true))
+    return;
+  temporary_files.remove_all();
+  const char* const message = signal == SIGINT    ? "square_map: interrupted by SIGINT; nothing was written\n"
+                              : signal == SIGTERM ? "square_map: ended by SIGTERM; nothing was written\n"
+                              : signal == SIGHUP  ? "square_map: ended by SIGHUP; nothing was written\n"
+                              : signal == SIGQUIT ? "square_map: ended by SIGQUIT; nothing was written\n"
+                                                  : "square_map: no processor time is left; nothing was written\n";
+  if(phase == Run_phase::WORKING) [[maybe_unused]]
+    const auto written = write(STDERR_FILENO, message, std::strlen(message));
+  _exit(128 + signal);
+}
+
+/// lets signals end the process with status 128 + signal and without temporary files, and lets writing to a pipe without
+/// reader, or beyond the limit of a file, fail. A signal that the caller has the process ignore, as nohup does, stays
+/// ignored.
+inline void handle_signals()
+{
+  struct sigaction action = {};
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  for(int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
+    struct sigaction former = {};
+    action.sa_handler = square_map_end_by_signal;
+    if(sigaction(signal, nullptr, &former) == 0 && former.sa_handler != SIG_IGN)
+      sigaction(signal, &action, nullptr);
+  }
+  action.sa_handler = SIG_IGN;
+  for(int signal : {SIGPIPE, SIGXFSZ})
+    sigaction(signal, &action, nullptr);
+}
+
+/// from here on a first signal is passed over; does not return when one has already come
+inline void begin_commit()
+{
+  Run_phase phase = Run_phase::WORKING;
+  if(!run_phase.compare_exchange_strong(phase, Run_phase::COMMITTING) && phase == Run_phase::ENDING)
+    for(;;)
+      pause();
+}
+
+/// makes sure that standard input, output and error are open: where the caller has closed one, the next file that is
+/// opened would take its place, and be written by mistake. Using the substitute fails.
+inline void open_standard_streams()
+{
+  for(int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if(fcntl(stream, F_GETFD) == -1 && errno == EBADF) [[maybe_unused]]
+      const int substitute = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_SIGNALS_H

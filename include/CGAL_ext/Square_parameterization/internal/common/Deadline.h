@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_DEADLINE_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_DEADLINE_H
+
+#include <chrono>
+#include <optional>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the time at which work that can be left unfinished ends; none: never
+using Deadline = std::optional<std::chrono::steady_clock::time_point>;
+
+inline bool has_passed(const Deadline& deadline)
+{
+  return deadline && std::chrono::steady_clock::now() >= *deadline;
+}
+
+/// the deadline of the first of two parts of the work, which has half of the time that is left
+inline Deadline half_way_to(const Deadline& deadline)
+{
+  if(!deadline)
+    return deadline;
+  const auto now = std::chrono::steady_clock::now();
+  return now + (*deadline - now) / 2;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_DEADLINE_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_command_line_checks.h"
+
+#include <sys/stat.h>
+
+// How outputs take the place of what was there: all or none, as they were named, with what they were.
+
+namespace {
+
+mode_t mode_of(const std::string& path)
+{
+  struct stat status = {};
+  stat(path.c_str(), &status);
+  return status.st_mode & 07777;
+}
+
+} // namespace
+
+TEST_CASE("a report that cannot be written leaves the old map")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), map = folder.add("map.obj", "my map");
+  std::filesystem::create_directory(folder / "folder");
+  for(const char* report : {"missing/report.json", "folder", "in.off/report.json"}) {
+    check_refusal(folder, {input, "-o", map, "--json", folder / report}, BAD_COMMAND_LINE, "cannot write");
+    CHECK(read_file(map) == "my map");
+  }
+  for(const char* full : {"/dev/full", "-"}) {
+    const Finished_process result = square_map({input, "-q", "-o", map, "--json", full}, "/dev/full");
+    CHECK(result.status == BAD_COMMAND_LINE);
+    CHECK(is_one_message(result.err, "no space left on the device"));
+    CHECK(read_file(map) == "my map");
+    CHECK(folder.file_names() == std::set<std::string>{"folder", "in.off", "map.obj"});
+  }
+}
+
+TEST_CASE("the reason why an output cannot be written is told")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), read_only = folder.add("read_only.obj", "mine");
+  std::filesystem::create_directory(folder / "folder.obj");
+  std::filesystem::create_symlink("nowhere.obj", folder / "dangling.obj");
+  chmod(read_only.c_str(), 0444);
+  const std::vector<std::pair<std::string, std::string>> reasons{
+      {"missing/map.obj", "no such folder"}, {"in.off/map.obj", "no such folder"},
+      {"folder.obj", "it is a folder"},      {"dangling.obj", "it is a link to a file that does not exist"},
+      {"read_only.obj", "it is read-only"},  {std::string(252, 'a') + ".obj", "the name is too long"}};
+  for(const auto& [name, reason] : reasons) {
+    const std::string output = folder / name;
+    check_refusal(folder, {input, "-o", output}, BAD_COMMAND_LINE, "cannot write '" + output + "': " + reason);
+  }
+  CHECK(read_file(read_only) == "mine");
+  if(geteuid() != 0) { // who may write everywhere
+    chmod((folder / "folder.obj").c_str(), 0555);
+    check_refusal(folder, {input, "-o", folder / "folder.obj/map.obj"}, BAD_COMMAND_LINE, "permission denied");
+  }
+}
+
+TEST_CASE("a file may have the longest name that there is")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), name = std::string(251, 'a') + ".obj";
+  CHECK(square_map({input, "-q", "-o", folder / name}).status == DONE);
+  CHECK(square_map({input, "-q", "-o", folder / name}).status == DONE); // in its place
+  CHECK(folder.file_names() == std::set<std::string>{"in.off", name});
+}
+
+TEST_CASE("the mode and the owner of an existing file are kept")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), map = folder.add("map.obj", "my map");
+  for(mode_t mode : {0600, 0640, 0666, 0755}) {
+    chmod(map.c_str(), mode);
+    if(geteuid() == 0)
+      REQUIRE(chown(map.c_str(), 12345, 54321) == 0);
+    CHECK(square_map({input, "-q", "-o", map}).status == DONE);
+    CHECK(read_file(map) != "my map");
+    CHECK(mode_of(map) == mode);
+    struct stat status = {};
+    CHECK(stat(map.c_str(), &status) == 0);
+    if(geteuid() == 0) {
+      CHECK(status.st_uid == 12345);
+      CHECK(status.st_gid == 54321);
+    }
+  }
+  const mode_t mask = umask(027);
+  CHECK(square_map({input, "-q", "-o", folder / "new.obj"}).status == DONE);
+  umask(mask);
+  CHECK(mode_of(folder / "new.obj") == 0640);
+}
+
+TEST_CASE("two outputs that are one file are refused, however they are spelled")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), name = folder / "";
+  std::filesystem::create_directory(folder / "folder");
+  std::filesystem::create_directory_symlink(folder / "folder", folder / "link");
+  const auto in_folder = [&] { REQUIRE(chdir(name.c_str()) == 0); };
+  const std::vector<std::array<std::string, 2>> pairs{{"x.obj", "./x.obj"},
+                                                      {"x.obj", "folder/../x.obj"},
+                                                      {"./x.obj", folder / "x.obj"},
+                                                      {"folder/x.obj", "link/x.obj"},
+                                                      {"link/../x.obj", "x.obj"}};
+  for(bool exists : {false, true})
+    for(const auto& [a, b] : pairs) {
+      if(exists) {
+        folder.add("x.obj", "mine");
+        folder.add("folder/x.obj", "mine");
+      }
+      INFO(a << ' ' << b << ' ' << exists);
+      const Finished_process result = square_map({input, "-o", a, "--json", b}, "", in_folder);
+      CHECK(result.status == BAD_COMMAND_LINE);
+      CHECK(is_one_message(result.err, "are the same file"));
+      CHECK(std::filesystem::exists(folder / "x.obj") == exists);
+      CHECK(std::filesystem::exists(folder / "folder/x.obj") == exists);
+      if(exists)
+        CHECK(read_file(folder / "x.obj") == "mine");
+    }
+  // standard output goes to the map
+  const Finished_process result = square_map({input, "-o", folder / "x.obj", "--json", "-"}, folder / "x.obj");
+  CHECK(result.status == BAD_COMMAND_LINE);
+  CHECK(read_file(folder / "x.obj") == "mine");
+  // another case is another file
+  CHECK(square_map({input, "-q", "-o", folder / "a.obj", "--json", folder / "A.obj"}).status == DONE);
+  CHECK(nlohmann::json::parse(read_file(folder / "A.obj")).is_object());
+}
+
+TEST_CASE("a pipe and a device are written in place")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), pipe = folder / "pipe.obj";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  Running_process process({input, "-q", "-o", pipe, "--json", "/dev/null"});
+  CHECK(read_obj_map(read_file(pipe)).uv.size() == small.points.size());
+  CHECK(process.wait().status == DONE);
+  CHECK(std::filesystem::is_fifo(pipe));
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+  const Finished_process to_stream = square_map({input, "-q", "--json", "/dev/stdout"});
+  CHECK(to_stream.status == DONE);
+  CHECK(nlohmann::json::parse(to_stream.out).is_object());
+}

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_command_line_checks.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+
+// Little memory, few threads, little time, small files.
+
+namespace {
+
+/// a limit that the process gets before it begins
+std::function<void()> limited(int resource, rlim_t value)
+{
+  return [resource, value] {
+    const rlimit limit{value, value};
+    if(setrlimit(static_cast<__rlimit_resource>(resource), &limit) != 0)
+      _exit(126);
+  };
+}
+
+} // namespace
+
+#ifndef __SANITIZE_ADDRESS__ // which needs more address space than there is
+TEST_CASE("a run with more threads than there is room for makes the map with those it gets")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(sheet(20, 20)));
+  const auto map_with = [&](const Arguments& options, const std::function<void()>& prepare) {
+    CHECK(
+        square_map(Arguments{input, "-q", "-o", folder / "map.obj", "--strategy", "brute-force"} + options, "", prepare)
+            .status == DONE);
+    return read_file(folder / "map.obj");
+  };
+  const std::string expected = map_with({"--threads", "1"}, [] {});
+  CHECK(map_with({"--threads", "500"}, limited(RLIMIT_AS, 170 << 20)) == expected);
+}
+
+TEST_CASE("lack of memory ends in a sentence, and nothing is left")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(sheet(40, 40)));
+  std::set<int> statuses;
+  for(rlim_t megabytes = 6; megabytes <= 60; megabytes += 3)
+    for(const char* threads : {"1", "16"}) {
+      const Finished_process result =
+          square_map({input, "-q", "-o", folder / "map.obj", "--json", folder / "report.json", "--threads", threads},
+                     "", limited(RLIMIT_AS, megabytes << 20));
+      INFO(megabytes << " MB, " << threads << " threads: " << result.err);
+      if(result.status == 127) // the loader has no room for the libraries
+        continue;
+      statuses.insert(result.status);
+      CHECK((result.status == DONE || result.status == UNMAPPABLE));
+      if(result.status != DONE) {
+        CHECK(is_one_message(result.err, "not enough memory"));
+        CHECK(folder.file_names() == std::set<std::string>{"in.off"});
+      }
+      std::filesystem::remove(folder / "map.obj");
+      std::filesystem::remove(folder / "report.json");
+    }
+  CHECK(statuses == std::set<int>{DONE, UNMAPPABLE}); // both were met
+}
+#endif
+
+TEST_CASE("a file that grows beyond the limit of its size is refused, and nothing is left")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(sheet(20, 20)));
+  const Finished_process result = square_map({input, "-q", "-o", folder / "map.obj"}, "", limited(RLIMIT_FSIZE, 5000));
+  CHECK(result.status == BAD_COMMAND_LINE);
+  CHECK(is_one_message(result.err, "the file would be larger than allowed"));
+  CHECK(folder.file_names() == std::set<std::string>{"in.off"});
+}
+
+TEST_CASE("a time limit gives the best map so far, and the report says so")
+{
+  const Soup soup = sheet(100, 100);
+  const Arguments all{"--strategy", "brute-force", "--threads", "1"};
+  const auto start = std::chrono::steady_clock::now();
+  const Mapped mapped = check_map(soup, all + Arguments{"--time-limit", "1.5"});
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20)); // all of it takes a minute
+  CHECK(mapped.report["time_limit_reached"] == true);
+  CHECK(mapped.report["evaluations"] < mapped.report["candidates"]);
+  CHECK(mapped.messages.find("the time limit was reached") != std::string::npos);
+  const Mapped whole = check_map(small, {"--time-limit", "1000"});
+  CHECK(whole.report["time_limit_reached"] == false);
+  CHECK(whole.text == check_map(small).text);
+}
+
+TEST_CASE("a time limit that leaves no time for a map ends with its own exit status")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  const std::vector<long> b = border_of(small.faces);
+  for(const Arguments& options : {Arguments{}, Arguments{"--corners", corner_option({b[0], b[3], b[6], b[9]})}})
+    check_refusal(folder, Arguments{input, "-o", folder / "map.obj", "--time-limit", "1e-9"} + options,
+                  NO_ONE_TO_ONE_MAP, "the time limit was reached");
+  for(const char* bad : {"0", "-1", "nan", "inf", "1e10", "soon", "1s", ""})
+    check_refusal(folder, {input, "-o", folder / "map.obj", "--time-limit", bad}, BAD_COMMAND_LINE, "time-limit");
+}

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_command_line_checks.h"
+
+#include <CGAL/version_macros.h>
+
+// What is asked for and told, in words.
+
+TEST_CASE("the version is printed, whatever else is asked")
+{
+  for(const Arguments& arguments : {Arguments{"--version"}, {"--version", "missing.off"}}) {
+    const Finished_process result = square_map(arguments);
+    CHECK(result.status == DONE);
+    CHECK(result.out == "square_map " SQUARE_MAP_VERSION " (CGAL " CGAL_VERSION_STR ")\n");
+    CHECK(result.err == "");
+  }
+  for(const char* option : {"--version", "--help"}) {
+    const Finished_process result = square_map({option}, "/dev/full");
+    CHECK(result.status == BAD_COMMAND_LINE);
+    CHECK(is_one_message(result.err, "cannot write to standard output"));
+  }
+}
+
+TEST_CASE("a quiet run has a short name")
+{
+  const Temporary_folder folder;
+  const Finished_process result = square_map({folder.add("in.off", off(small)), "-q", "-o", folder / "map.obj"});
+  CHECK(result.status == DONE);
+  CHECK(result.out + result.err == "");
+}
+
+TEST_CASE("an option is no name of a file")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  for(const Arguments& options : {
+          Arguments{"--json", "--quiet"},
+          {"--json=--quiet"},
+
+          {"-o", "--json"},
+          {"-o", "--map.obj"},
+          {"--seams", "--quiet"},
+      })
+    check_refusal(folder, Arguments{input} + options, BAD_COMMAND_LINE, "needs the name of a file, not the option");
+  check_refusal(folder, {input, "--json", "-q"}, BAD_COMMAND_LINE, "--json");
+  const auto in_folder = [&] { CHECK(chdir((folder / "").c_str()) == 0); };
+  CHECK(square_map({input, "-q", "-o", "./--map.obj"}, "", in_folder).status == DONE);
+  CHECK(folder.file_names() == std::set<std::string>{"--map.obj", "in.off"});
+}
+
+TEST_CASE("a list of corners may have blanks")
+{
+  const std::vector<long> b = border_of(small.faces);
+  const auto with = [&](const std::string& comma) {
+    std::string list = std::to_string(b[0]);
+    for(int k : {3, 6, 9})
+      list += comma + std::to_string(b[static_cast<std::size_t>(k)]);
+    return list;
+  };
+  const std::string expected = check_map(small, {"--corners", with(",")}).text;
+  for(const std::string& list : {with(", "), with(" , "), " " + with(",") + " ", with(",\t")})
+    CHECK(check_map(small, {"--corners", list}).text == expected);
+}
+
+TEST_CASE("the order of corners that is said to be right is right")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  const std::vector<long> b = border_of(small.faces);
+  std::array<int, 4> order{0, 3, 6, 9};
+  do {
+    std::vector<long> corners;
+    for(int k : order)
+      corners.push_back(b[static_cast<std::size_t>(k)]);
+    const Finished_process result = square_map({input, "--corners", corner_option(corners)});
+    const std::string words = "this would be: ";
+    const std::size_t told = result.err.find(words);
+    INFO(corner_option(corners) << ": " << result.err);
+    CHECK((result.status == DONE) == (told == std::string::npos));
+    if(told == std::string::npos)
+      continue;
+    const std::string right = result.err.substr(told + words.size(), result.err.size() - told - words.size() - 1);
+    CHECK(right.rfind(std::to_string(corners[0]) + ",", 0) == 0);
+    CHECK(square_map({input, "--corners", right}).status == DONE);
+  } while(std::next_permutation(order.begin(), order.end()));
+}
+
+TEST_CASE("one thing is counted in the singular")
+{
+  // two triangles with a third on an edge of theirs: the ear of the strip has one chord
+  const Soup fan{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1, 4}, {1, 3, 4}, {1, 2, 3}}};
+  const Mapped mapped = check_map(fan);
+  const std::size_t chords = mapped.report["conditioned"]["chords_split"];
+  CHECK(mapped.messages.find(chords == 1 ? "1 chord was split\n" : "2 chords were split\n") != std::string::npos);
+  Soup square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}};
+  const Mapped polygon = check_map(square, {"--triangulate"});
+  CHECK(polygon.messages.find("1 polygon was split into triangles\n") != std::string::npos);
+  CHECK(polygon.messages.find("1 chord was split\n") != std::string::npos);
+  Soup turned = small;
+  turned.points.push_back({9, 9, 9});
+  std::swap(turned.faces[5][0], turned.faces[5][1]);
+  const Mapped one = check_map(turned);
+  CHECK(one.messages.find("1 face was turned round to agree with the neighbors\n") != std::string::npos);
+  CHECK(one.messages.find("1 isolated vertex was dropped\n") != std::string::npos);
+}

@@ -71,7 +71,7 @@ private:
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
 {
-  CGAL_ext::internal::Surface_soup soup = read_soup(job.line.input);
+  CGAL_ext::internal::Surface_soup soup = read_soup(job.line.input, job.line.input_format, &job.passed_over);
   check_well_formed(soup, job.line.input);
   job.input_vertices = soup.points.size();
   job.input_faces = soup.faces.size();
@@ -158,6 +158,7 @@ Exit_status run(Command_line command_line)
   outputs.write_report(job);
   outputs.commit();
   if(!job.line.is_quiet) {
+    tell_passed_over(job.passed_over);
     tell_conditioning(job.conditioning);
     tell_map(result, job.seconds.total);
   }

@@ -37,6 +37,13 @@ private:
   double m_best = std::numeric_limits<double>::infinity();
 };
 
+/// tells what of the file was not used
+inline void tell_passed_over(const Passed_over& passed_over)
+{
+  if(!passed_over.empty())
+    std::cerr << "passed over in the file: " << listed(passed_over) << '\n';
+}
+
 /// tells what was done to the polygons of the file
 inline void tell_conditioning(const CGAL_ext::internal::Conditioning_report& conditioning)
 {

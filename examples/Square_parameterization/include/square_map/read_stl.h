@@ -10,12 +10,12 @@
 #include "Text_scanner.h"
 
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -31,6 +31,13 @@ namespace square_map {
 class Stl_facets
 {
 public:
+  /// makes room for a number of facets, which a file must be large enough to hold
+  void reserve(std::size_t facets)
+  {
+    m_soup.faces.reserve(facets);
+    m_indices.reserve(facets / 2); // as many as the points of a closed surface
+  }
+
   void add(const std::array<std::array<double, 3>, 3>& corners)
   {
     std::vector<std::size_t>& face = m_soup.faces.emplace_back();
@@ -44,6 +51,22 @@ public:
   CGAL_ext::internal::Surface_soup& soup() { return m_soup; }
 
 private:
+  /// coordinates of four bytes leave half of the bits of a double zero: a product spreads the others
+  struct Hash
+  {
+    std::size_t operator()(const std::array<double, 3>& p) const
+    {
+      std::uint64_t hash = 0;
+      for(const double& x : p) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &x, sizeof bits);
+        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+      }
+      return static_cast<std::size_t>(hash);
+    }
+  };
+
   std::size_t index_of(std::array<double, 3> p)
   {
     const auto [found, is_new] = m_indices.emplace(std::array<double, 3>{p[0] + 0., p[1] + 0., p[2] + 0.}, // -0 is 0
@@ -54,7 +77,7 @@ private:
   }
 
   CGAL_ext::internal::Surface_soup m_soup;
-  std::unordered_map<std::array<double, 3>, std::size_t, boost::hash<std::array<double, 3>>> m_indices;
+  std::unordered_map<std::array<double, 3>, std::size_t, Hash> m_indices;
 };
 
 constexpr std::size_t STL_HEADER_BYTES = 84, STL_FACET_BYTES = 50;
@@ -80,6 +103,7 @@ inline CGAL_ext::internal::Surface_soup read_binary_stl(std::string_view bytes)
   const std::size_t facets = binary_stl_size(bytes);
   Byte_scanner scanner(bytes.substr(STL_HEADER_BYTES), boost::endian::order::little);
   Stl_facets result;
+  result.reserve(std::min(facets, scanner.bytes_left() / STL_FACET_BYTES));
   for(std::size_t f = 0; f < facets; ++f) {
     if(scanner.bytes_left() < STL_FACET_BYTES)
       throw Malformed_file("it is incomplete: it ends in facet " + std::to_string(f) + " of " + std::to_string(facets));
@@ -123,8 +147,9 @@ private:
   {
     const std::string_view word = m_scanner.next_word_anywhere();
     if(word.empty())
-      throw Malformed_file("it is incomplete: it ends " + std::string(m_is_in_facet ? "in" : "before") + " facet " +
-                           std::to_string(m_facets.size()) + ", or without endsolid");
+      throw Malformed_file("it is incomplete: it ends " +
+                           (m_is_in_facet ? "in facet " + std::to_string(m_facets.size())
+                                          : "without endsolid after " + counted(m_facets.size(), "facet", "facets")));
     return word;
   }
 

@@ -77,7 +77,11 @@ inline Ply_property read_ply_property(Text_scanner& scanner)
   const std::string name(scanner.next_word());
   if(name.empty())
     scanner.refuse(name, "the name of a property");
-  return {name, ply_type(type, scanner, name), is_list, ply_type(size_type, scanner, name)};
+  const Ply_property property{name, ply_type(type, scanner, name), is_list, ply_type(size_type, scanner, name)};
+  if(property.size_type == Ply_type::FLOAT32 || property.size_type == Ply_type::FLOAT64)
+    scanner.refuse("its property " + in_quotes(name) + " is of no type that PLY has: a list counted in " +
+                   in_quotes(size_type));
+  return property;
 }
 
 /// reads what follows the word element

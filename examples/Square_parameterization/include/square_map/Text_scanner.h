@@ -104,7 +104,10 @@ public:
   /// refuses a word: \p expected says what should have been in its place
   [[noreturn]] void refuse(std::string_view word, const std::string& expected) const
   {
-    refuse(expected + " was expected, not " + (word.empty() ? "the end of the line" : in_quotes(word)));
+    refuse(expected + " was expected, not " +
+           (!word.empty()       ? in_quotes(word)
+            : bytes_left() == 0 ? "the end of the file"
+                                : "the end of the line"));
   }
 
   /// the next word of this line as a number; \p what names it in a message

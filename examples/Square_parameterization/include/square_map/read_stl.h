@@ -142,11 +142,11 @@ public:
   }
 
 private:
-  /// the next word of a solid that is not complete
+  /// the next word of a solid, the last of which is endsolid
   std::string_view next()
   {
     const std::string_view word = m_scanner.next_word_anywhere();
-    if(word.empty())
+    if(word.empty() || (m_scanner.bytes_left() == 0 && !boost::iequals(word, "endsolid")))
       throw Malformed_file("it is incomplete: it ends " +
                            (m_is_in_facet ? "in facet " + std::to_string(m_facets.size())
                                           : "without endsolid after " + counted(m_facets.size(), "facet", "facets")));

@@ -4,6 +4,8 @@
 #ifndef SQUARE_MAP_WRITE_STL_H
 #define SQUARE_MAP_WRITE_STL_H
 
+#include "Output_file.h"
+
 #include <Eigen/Geometry>
 #include <boost/endian/conversion.hpp>
 
@@ -11,7 +13,6 @@
 #include <cstring>
 #include <limits>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 
 namespace square_map {
@@ -32,9 +33,9 @@ inline void write_stl_number(std::ostream& stream, double x)
   write_stl_number(stream, bits);
 }
 
-/// writes the triangles of a mesh as binary STL: without texture coordinates, for which it has no place. CGAL's writer
+/// writes the faces of a triangle mesh as binary STL: without texture coordinates, for which it has no place. CGAL's writer
 /// puts normals that are no numbers beside very small triangles, and infinite coordinates.
-/// \throw std::range_error for a coordinate that is too large for STL; nothing is written then
+/// \throw Output_error for a coordinate that is too large for STL; nothing is written then
 template <class Mesh>
 void write_stl(std::ostream& stream, const Mesh& mesh)
 {
@@ -44,15 +45,16 @@ void write_stl(std::ostream& stream, const Mesh& mesh)
   };
   for(const auto v : mesh.vertices())
     if(!(vector(v).cwiseAbs().maxCoeff() <= static_cast<double>(std::numeric_limits<float>::max())))
-      throw std::range_error("STL has no number as large as the coordinates of this surface");
+      throw Output_error("STL has no number as large as the coordinates of this surface");
   std::string header = "binary STL written by square_map";
   header.resize(80, ' ');
   stream << header;
   write_stl_number(stream, static_cast<std::uint32_t>(mesh.number_of_faces()));
   for(const auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    const Eigen::Vector3d corners[] = {vector(mesh.source(h)), vector(mesh.target(h)),
-                                       vector(mesh.target(mesh.next(h)))};
+    Eigen::Vector3d corners[3];
+    int k = 0;
+    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners[k++] = vector(v);
     const Eigen::Vector3d normal = (corners[1] - corners[0])
                                        .stableNormalized()
                                        .cross((corners[2] - corners[0]).stableNormalized())

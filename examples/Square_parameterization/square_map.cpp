@@ -45,7 +45,7 @@ void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
 {
-  CGAL_ext::internal::Surface_soup soup = read_soup(job.line.input);
+  CGAL_ext::internal::Surface_soup soup = read_soup(job.line.input, job.line.input_format, &job.passed_over);
   check_well_formed(soup, job.line.input);
   job.input_vertices = soup.points.size();
   job.input_faces = soup.faces.size();
@@ -154,6 +154,7 @@ Exit_status run(Command_line command_line)
   outputs.write_and_commit();
   job.seconds.total = watch.total();
   if(!job.line.is_quiet) {
+    tell_passed_over(job.passed_over);
     tell_conditioning(job.conditioning);
     if(has_reached_time_limit(job))
       std::cerr << "the time limit was reached: this is the best map so far\n";

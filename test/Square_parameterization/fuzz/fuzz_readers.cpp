@@ -5,33 +5,13 @@
 
 #include <square_map/read_surface.h>
 
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstdlib>
+#include <string_view>
 
 using namespace CGAL_ext::internal;
 
 namespace {
-
-/// a file of this process that vanishes
-class Temporary_file
-{
-public:
-  Temporary_file(const std::string& extension, const std::string& text)
-    : m_path(std::filesystem::temp_directory_path() / ("fuzz_readers_" + std::to_string(getpid()) + extension))
-  {
-    std::ofstream(m_path, std::ios::binary) << text;
-  }
-  Temporary_file(const Temporary_file&) = delete;
-  Temporary_file& operator=(const Temporary_file&) = delete;
-  ~Temporary_file() { std::filesystem::remove(m_path); }
-
-  std::string path() const { return m_path.string(); }
-
-private:
-  std::filesystem::path m_path;
-};
 
 /// ends the program unless the soup has become what it should: triangles that CGAL takes as a mesh without isolated
 /// vertices
@@ -55,22 +35,46 @@ void condition(Surface_soup soup, const Conditioning_options& options)
   }
 }
 
-} // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+/// reads bytes as a surface, in one format
+void read_as(square_map::File_format format, std::string_view text)
 {
-  static const char* const extensions[] = {".off", ".obj", ".ply", ".stl"};
-  if(size == 0)
-    return 0;
-  const Temporary_file file(extensions[data[0] % 4], std::string(data + 1, data + size));
   try {
-    const Surface_soup soup = square_map::read_soup(file.path());
-    square_map::check_well_formed(soup, file.path());
+    square_map::Passed_over passed_over;
+    const Surface_soup soup = square_map::parse_soup(text, format, passed_over);
+    square_map::check_well_formed(soup, "");
     condition(soup, {Topology::CONNECTED, {}, false});
     condition(soup, {Topology::CONNECTED, 0, true});
     condition(soup, {Topology::DISK, 1, true});
   } catch(const square_map::Malformed_file&) {
     // refused with a sentence
   }
+}
+
+/// reads bytes as seams of a surface without vertices
+void read_as_seams(std::string_view text)
+{
+  try {
+    square_map::parse_seams(text, {});
+  } catch(const square_map::Malformed_file&) {
+    // refused with a sentence
+  }
+}
+
+} // namespace
+
+/// the first byte chooses the format: one of the four, what the content says, or seams
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  if(size == 0)
+    return 0;
+  const std::string_view text =
+      square_map::without_byte_order_mark({reinterpret_cast<const char*>(data) + 1, size - 1});
+  const int choice = data[0] % 6;
+  if(choice < 4)
+    read_as(static_cast<square_map::File_format>(choice), text);
+  else if(choice == 5)
+    read_as_seams(text);
+  else if(const auto format = square_map::format_of_content(text))
+    read_as(*format, text);
   return 0;
 }

@@ -22,7 +22,7 @@ inline void read_options(int argc, char** argv, Given_options& given, Command_li
   namespace po = boost::program_options;
   const po::options_description visible = option_list(given, line);
   std::ostringstream help;
-  help << "usage: square_map INPUT [options]\n"
+  help << "usage: square_map INPUT [options]; INPUT - is standard input\n"
           "maps a triangle mesh (OFF, OBJ, PLY, STL), cut where it must be, onto the unit square with little stretch\n"
        << visible
        << "exit status: 0 done; 2 bad command line; 3 unreadable or malformed file; 4 the surface cannot be mapped;\n"
@@ -60,6 +60,8 @@ inline void check_options(const Given_options& given, const Command_line& line)
 {
   if(line.input.empty())
     throw Usage_error("no input file is given");
+  if(given.has("input-format"))
+    named(file_formats(), "input-format", line.input_format);
   for(const char* number : {"threads", "patience", "step", "interval", "seed"})
     if(given.has(number) && (given.all[number].as<int>() < 0 || given.all[number].as<int>() > 1000000))
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
@@ -88,10 +90,10 @@ inline void check_files(const Command_line& line)
   namespace fs = std::filesystem;
   if(!line.output.empty()) {
     const std::string extension = fs::path(line.output).has_extension() ? extension_of(line.output) : "";
-    if(extension != "obj" && extension != "off" && extension != "ply")
-      throw Usage_error("the output '" + line.output + "' must end in .obj, .off or .ply");
+    if(extension != "obj" && extension != "off" && extension != "ply" && extension != "stl")
+      throw Usage_error("the output '" + line.output + "' must end in .obj, .off, .ply or .stl");
   }
-  const std::vector<std::string> files{line.input, line.seams, line.output, line.json};
+  const std::vector<std::string> files{line.input == "-" ? "" : line.input, line.seams, line.output, line.json};
   for(std::size_t i = 0; i < files.size(); ++i)
     for(std::size_t j = i + 1; j < files.size(); ++j)
       if(!files[i].empty() && !files[j].empty() && is_same_file(files[i], files[j]))

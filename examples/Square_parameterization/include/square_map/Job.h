@@ -52,6 +52,7 @@ struct Job
   Job& operator=(const Job&) = delete;
 
   Command_line line;
+  Passed_over passed_over; ///< of the file
   std::size_t input_vertices = 0, input_faces = 0;
   CGAL_ext::internal::Conditioning_report conditioning;
   Mesh mesh;                                ///< conditioned, later cut and with split chords

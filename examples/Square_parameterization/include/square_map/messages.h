@@ -5,6 +5,7 @@
 #define SQUARE_MAP_MESSAGES_H
 
 #include "Job.h"
+#include "Malformed_file.h"
 
 #include <algorithm>
 #include <iostream>
@@ -37,10 +38,11 @@ private:
   double m_best = std::numeric_limits<double>::infinity();
 };
 
-/// a number and what it counts: "1 chord was", "2 chords were"
-inline std::string counted(std::size_t count, const std::string& singular, const std::string& plural)
+/// tells what of the file was not used
+inline void tell_passed_over(const Passed_over& passed_over)
 {
-  return std::to_string(count) + ' ' + (count == 1 ? singular : plural);
+  if(!passed_over.empty())
+    std::cerr << "passed over in the file: " << listed(passed_over) << '\n';
 }
 
 /// tells what was done to the polygons of the file

@@ -38,9 +38,9 @@ inline std::vector<Effect> effects()
       {{"cut", "cut-weight", "max-cut-length", "cut-disk"},
        "has no effect beside --seams",
        [](const Command_line& line) { return line.seams.empty(); }},
-      {{"cut-weight", "max-cut-length", "cut-disk"},
-       "goes with --cut best",
-       [](const Command_line& line) { return line.options.cut.mode == Cut_mode::BEST; }}};
+      {{"cut-weight", "max-cut-length", "cut-disk"}, "goes with --cut best", [](const Command_line& line) {
+         return line.options.cut.mode == Cut_mode::BEST;
+       }}};
 }
 
 /// refuses options that are given and have no effect beside the others, also with the value that they have by default:

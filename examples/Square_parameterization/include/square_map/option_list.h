@@ -23,7 +23,7 @@ struct Command_line
 {
   bool wants_help = false, wants_version = false;
   std::string help;
-  std::string input, output, json, seams;
+  std::string input, input_format, output, json, seams;
   std::string strategy, minimizer = "optimal";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
   bool is_quiet = false;
@@ -52,7 +52,10 @@ inline boost::program_options::options_description option_list(Given_options& gi
   auto add = options.add_options();
   add("help,h", "show this text");
   add("version", "show the versions of this program and of CGAL");
-  add("output,o", po::value(&line.output)->value_name("FILE"), "the map: .obj, .off or .ply by extension");
+  add("output,o", po::value(&line.output)->value_name("FILE"),
+      "the map: .obj, .off or .ply by extension; .stl for the surface that is mapped, without its map");
+  add("input-format", po::value(&line.input_format)->value_name("NAME"),
+      "off, obj, ply or stl; by default the extension of INPUT tells, or the content of a pipe");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),
       "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
       "quarter-brute-force, particle-swarm, step-sampling, single-highest, many-high, better-of-two, none");

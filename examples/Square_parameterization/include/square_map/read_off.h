@@ -4,51 +4,111 @@
 #ifndef SQUARE_MAP_READ_OFF_H
 #define SQUARE_MAP_READ_OFF_H
 
-#include <CGAL/IO/OFF.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
+
+#include "Text_scanner.h"
+#include "read_binary_off.h"
 
 #include <algorithm>
-#include <cctype>
-#include <fstream>
-#include <iterator>
-#include <regex>
-#include <sstream>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace square_map {
 
-/// the text of an OFF file, its header without the letters for texture coordinates, colors and normals: CGAL's reader
-/// then takes three coordinates of a line and ignores what follows. With these letters it reads beyond a line that is
-/// too short, and takes texture coordinates from anywhere. Binary files stay as they are: there the letters tell the
-/// layout.
-inline std::string without_attribute_letters(std::string text)
+// CGAL's reader takes 3.7 and numbers that overflow as some index, and binary files without colors alone.
+
+/// reads the numbers of vertices and faces that follow the keyword. The number of edges is passed over; it may be
+/// missing where the vertices begin on a line of their own.
+inline void read_off_counts(Text_scanner& scanner, Off_header& header)
 {
-  static const char* const WHITE_SPACE = " \t\n\v\f\r";
-  static const std::regex with_letters("(ST)?C?N?(4?n?(OFF|SKEL))");
-  const auto next_word = [&text](std::size_t place) {
-    place = text.find_first_not_of(WHITE_SPACE, place);
-    while(place < text.size() && text[place] == '#')
-      place = text.find_first_not_of(WHITE_SPACE, text.find('\n', place));
-    return (std::min)(place, text.size());
+  const auto next_count = [&scanner](const char* what) {
+    const std::string_view word = scanner.next_word_anywhere();
+    const auto count = parse_integer<std::uint64_t>(word);
+    if(!count)
+      scanner.refuse(word, what);
+    return static_cast<std::size_t>(*count);
   };
-  const std::size_t begin = next_word(0);
-  const auto end = std::find_if_not(text.begin() + begin, text.end(), [](unsigned char c) { return std::isalnum(c); });
-  const std::string keyword(text.begin() + begin, end);
-  std::smatch match;
-  if(std::regex_match(keyword, match, with_letters) &&
-     text.compare(next_word(begin + keyword.size()), 6, "BINARY") != 0)
-    text.replace(begin, keyword.size(), match[2].str());
-  return text;
+  if(header.has_dimension)
+    check_off_dimension(next_count("the dimension"));
+  header.vertices = next_count("the number of vertices");
+  header.faces = next_count("the number of faces");
+  if(!header.has_edges || (scanner.is_line_end() && !scanner.find_word()))
+    return;
+  const std::size_t place = scanner.place();
+  const std::string_view edges = scanner.next_word();
+  const bool is_alone = scanner.is_line_end();
+  if(!is_alone && header.vertices > 0 && scanner.is_first_of_line(place)) // the first vertex
+    scanner.go_back(place);
+  else if(!parse_integer<std::int64_t>(edges))
+    scanner.refuse(edges, "the number of edges");
 }
 
-/// reads points and polygons of an OFF file; false when it is malformed
-template <class Points, class Polygons>
-bool read_off(const std::string& path, Points& points, Polygons& polygons)
+/// reads points, one a line; what follows the coordinates is passed over: colors, normals, texture coordinates
+inline void read_off_points(Text_scanner& scanner, const Off_header& header, CGAL_ext::internal::Surface_soup& soup)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::istringstream text(
-      without_attribute_letters({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}));
-  return file && CGAL::IO::read_OFF(text, points, polygons, CGAL::parameters::verbose(false));
+  soup.points.reserve(std::min(header.vertices, scanner.bytes_left() / 6));
+  for(std::size_t v = 0; v < header.vertices; ++v) {
+    if(!scanner.find_word())
+      throw Malformed_file("it is incomplete: it ends after " + std::to_string(v) + " of " +
+                           counted(header.vertices, "vertex", "vertices"));
+    const double x = scanner.next_real("a coordinate"), y = scanner.next_real("a coordinate"),
+                 z = scanner.next_real("a coordinate");
+    const double w = header.is_homogeneous ? scanner.next_real("a homogeneous coordinate") : 1;
+    soup.points.emplace_back(x / w, y / w, z / w);
+    scanner.skip_line();
+  }
+}
+
+/// reads polygons, one a line: the number of vertices, and their indices; colors behind them are passed over
+inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL_ext::internal::Surface_soup& soup)
+{
+  soup.faces.reserve(std::min(header.faces, scanner.bytes_left() / 2));
+  for(std::size_t f = 0; f < header.faces; ++f) {
+    if(!scanner.find_word())
+      throw Malformed_file("it is incomplete: it ends after " + std::to_string(f) + " of " +
+                           counted(header.faces, "face", "faces"));
+    const std::string_view first = scanner.next_word();
+    const auto size = parse_integer<std::uint32_t>(first);
+    if(!size)
+      scanner.refuse(first, "the number of vertices of face " + std::to_string(f));
+    std::vector<std::size_t>& face = soup.faces.emplace_back();
+    face.reserve(std::min<std::size_t>(*size, scanner.bytes_left() / 2));
+    for(std::uint32_t k = 0; k < *size; ++k) {
+      const std::string_view word = scanner.next_word();
+      const auto index = parse_integer<std::uint64_t>(word);
+      if(!index || *index >= header.vertices)
+        scanner.refuse(word, "in face " + std::to_string(f) + " an index from 0 to " +
+                                 std::to_string(static_cast<std::ptrdiff_t>(header.vertices) - 1));
+      face.push_back(*index);
+    }
+    scanner.skip_line();
+  }
+}
+
+/// reads an OFF file: text or binary, with any of the letters for texture coordinates, colors, normals, homogeneous
+/// coordinates and a dimension before its keyword. What follows the last face is passed over.
+inline CGAL_ext::internal::Surface_soup read_off(std::string_view text)
+{
+  Text_scanner scanner(text, '#');
+  const std::string_view keyword = scanner.next_word_anywhere();
+  std::optional<Off_header> header = parse_off_keyword(keyword);
+  if(!header)
+    scanner.refuse(keyword, "OFF");
+  if(scanner.find_word()) {
+    const std::size_t place = scanner.place();
+    if(scanner.next_word() == "BINARY")
+      return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), *header);
+    scanner.go_back(place);
+  }
+  CGAL_ext::internal::Surface_soup soup;
+  read_off_counts(scanner, *header);
+  read_off_points(scanner, *header, soup);
+  read_off_faces(scanner, *header, soup);
+  return soup;
 }
 
 } // namespace square_map

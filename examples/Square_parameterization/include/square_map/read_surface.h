@@ -6,23 +6,20 @@
 
 #include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
 
+#include "File_format.h"
 #include "Memory_limit.h"
-#include "check_ply_header.h"
-#include "read_off.h"
+#include "read_bytes.h"
+#include "read_ply.h"
+#include "read_seams.h"
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace square_map {
@@ -30,54 +27,50 @@ namespace square_map {
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-/// a file that cannot be read, or whose content makes no sense
-struct Malformed_file : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
 // what a reader may allocate, in bytes; real files need a third of it
 constexpr std::size_t MEMORY_TO_START_READING = 1 << 28, MEMORY_PER_BYTE = 64;
 
-/// extension of the path in lower case, without the dot
-inline std::string extension_of(const std::string& path)
+/// reads points and polygons of a text, by the reader of its format
+/// \throw Malformed_file with the reason alone
+inline CGAL_ext::internal::Surface_soup parse_soup(std::string_view text, File_format format, Passed_over& passed_over)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  const Memory_limit limit(MEMORY_TO_START_READING + MEMORY_PER_BYTE * text.size());
+  switch(format) {
+  case File_format::OFF:
+    return read_off(text);
+  case File_format::OBJ:
+    return read_obj(text, passed_over);
+  case File_format::PLY:
+    return read_ply(text);
+  default:
+    return read_stl(text);
+  }
 }
 
-/// reads points and polygons through CGAL's readers (OFF, OBJ, PLY, STL by extension)
-inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path)
+/// reads points and polygons of a file or a pipe; "-" is standard input
+/// \param format_name the format, in place of what the extension says; empty for none
+/// \param passed_over what of the file was not used is added, unless it is null
+inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const std::string& format_name = "",
+                                                  Passed_over* passed_over = nullptr)
 {
-  std::error_code error;
-  if(!std::filesystem::exists(path, error))
-    throw Malformed_file("cannot read '" + path + "': there is no such file");
-  if(!std::filesystem::is_regular_file(path, error))
-    throw Malformed_file("cannot read '" + path + "': it is not a regular file");
-  const std::string fault = ply_header_fault(path);
-  if(!fault.empty())
-    throw Malformed_file("cannot read '" + path + "': " + fault);
-  std::vector<Kernel::Point_3> points;
-  CGAL_ext::internal::Surface_soup soup;
-  bool is_read = false;
+  Passed_over unused;
+  std::string reader; // in messages
   try {
-    const Memory_limit limit(MEMORY_TO_START_READING + MEMORY_PER_BYTE * std::filesystem::file_size(path));
-    is_read = extension_of(path) == "off"
-                  ? read_off(path, points, soup.faces)
-                  : CGAL::IO::read_polygon_soup(path, points, soup.faces, CGAL::parameters::verbose(false));
-  } catch(const std::exception&) {
-    // among them std::bad_alloc, for a header that promises more than the file holds
+    const File_bytes file = read_bytes(path);
+    const std::string_view text = without_byte_order_mark(file.bytes);
+    const File_format format =
+        format_name.empty() ? format_of(path, file.is_stream, text) : file_formats().at(format_name);
+    if(text.empty())
+      throw Malformed_file("it is empty");
+    reader = std::string(" as ") + name_of(format);
+    CGAL_ext::internal::Surface_soup soup = parse_soup(text, format, passed_over != nullptr ? *passed_over : unused);
+    if(soup.points.empty() && soup.faces.empty())
+      throw Malformed_file("it has neither vertices nor faces");
+    return soup;
+  } catch(const Malformed_file& error) {
+    throw Malformed_file("cannot read " + (path == "-" ? "standard input" : "'" + path + "'") + reader + ": " +
+                         error.what());
   }
-  if(!is_read || (points.empty() && soup.faces.empty()))
-    throw Malformed_file("cannot read '" + path +
-                         "': it is not a complete OFF, OBJ, PLY or STL file, or has a coordinate "
-                         "or an index that is no number or out of range");
-  for(const Kernel::Point_3& p : points)
-    soup.points.emplace_back(p.x(), p.y(), p.z());
-  return soup;
 }
 
 /// refuses coordinates that are not finite and faces that have too few vertices or name one that does not exist
@@ -110,43 +103,6 @@ inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, cons
                 out_of_range_places);
   if(!complaint.text().empty())
     throw Malformed_file("'" + path + "' is malformed: " + complaint.text());
-}
-
-/// the vertex of the conditioned soup that a vertex of the file has become; `DROPPED` when there is none
-inline std::size_t conditioned_vertex(std::size_t v, const CGAL_ext::internal::Conditioning_report& conditioning)
-{
-  return v < conditioning.new_index.size() ? conditioning.new_index[v]
-                                           : CGAL_ext::internal::Conditioning_report::DROPPED;
-}
-
-/// reads seams: two vertex numbers a line; returns them as vertices of the conditioned soup
-inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& path,
-                                                          const CGAL_ext::internal::Conditioning_report& conditioning)
-{
-  std::ifstream file(path);
-  if(!file)
-    throw Malformed_file("cannot read '" + path + "'");
-  std::vector<std::array<std::size_t, 2>> seams;
-  std::size_t line_number = 0;
-  for(std::string line; std::getline(file, line);) {
-    ++line_number;
-    std::istringstream stream(line);
-    long ends[2];
-    if((stream >> std::ws).eof())
-      continue;
-    if(!(stream >> ends[0] >> ends[1]) || !(stream >> std::ws).eof())
-      throw Malformed_file("'" + path + "' is malformed: line " + std::to_string(line_number) +
-                           " is not two vertex numbers");
-    std::array<std::size_t, 2> seam{};
-    for(int k = 0; k < 2; ++k) {
-      seam[k] = conditioned_vertex(static_cast<std::size_t>(ends[k]), conditioning); // a negative number is a large one
-      if(seam[k] == CGAL_ext::internal::Conditioning_report::DROPPED)
-        throw Malformed_file("'" + path + "' is malformed: line " + std::to_string(line_number) + " names vertex " +
-                             std::to_string(ends[k]) + ", which no mapped face has");
-    }
-    seams.push_back(seam);
-  }
-  return seams;
 }
 
 /// the vertex of a mesh with a number

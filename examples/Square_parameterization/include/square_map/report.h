@@ -102,6 +102,8 @@ inline nlohmann::ordered_json make_report(const Job& job)
   const Timings& seconds = job.seconds;
   nlohmann::ordered_json json;
   json["input"] = {{"file", job.line.input}, {"vertices", job.input_vertices}, {"faces", job.input_faces}};
+  if(!job.passed_over.empty())
+    json["input"]["passed_over"] = job.passed_over;
   json["conditioned"] = conditioning_report(job);
   json["cut"] = cut_report(job.result.cut);
   json["strategy"] = job.line.strategy;

@@ -5,6 +5,7 @@
 #define SQUARE_MAP_WRITE_MAP_H
 
 #include "read_surface.h"
+#include "write_stl.h"
 
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
@@ -42,8 +43,8 @@ inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv, const s
   }
 }
 
-/// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point)
-/// or ply (vertex properties s and t)
+/// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point),
+/// ply (vertex properties s and t), or stl (the mesh alone)
 inline void write_map(std::ostream& stream, Mesh& mesh, UV_map uv, const std::vector<int>& originals,
                       const std::string& extension)
 {
@@ -51,6 +52,8 @@ inline void write_map(std::ostream& stream, Mesh& mesh, UV_map uv, const std::ve
     write_obj(stream, mesh, uv, originals);
   else if(extension == "off")
     CGAL::IO::write_OFF(stream, mesh, CGAL::parameters::vertex_texture_map(uv).stream_precision(17));
+  else if(extension == "stl")
+    write_stl(stream, mesh);
   else {
     auto s = mesh.add_property_map<Mesh::Vertex_index, double>("v:s").first;
     auto t = mesh.add_property_map<Mesh::Vertex_index, double>("v:t").first;

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_PARSE_NUMBER_H
+#define SQUARE_MAP_PARSE_NUMBER_H
+
+#include <charconv>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace square_map {
+
+/// the word without a plus sign before its number, which `std::from_chars` does not take
+inline std::string_view without_plus(std::string_view word)
+{
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+/// the number that a word is from end to end; none for `1x`, `1,5` or an empty word. Numbers too large for a double are
+/// infinite, numbers too small are zero or denormalized.
+inline std::optional<double> parse_real(std::string_view word)
+{
+  const std::string_view digits = without_plus(word);
+  const char* const end = digits.data() + digits.size();
+  double x = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), end, x);
+  if(stop != end || error == std::errc::invalid_argument)
+    return {};
+  if(error == std::errc::result_out_of_range) // too large or too small: only strtod() says which
+    x = std::strtod(std::string(digits).c_str(), nullptr);
+  return x;
+}
+
+/// the whole number that a word is from end to end; none for `3.7`, `4x`, or a number that does not fit
+template <class Integer>
+std::optional<Integer> parse_integer(std::string_view word)
+{
+  const std::string_view digits = without_plus(word);
+  const char* const end = digits.data() + digits.size();
+  Integer n = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), end, n);
+  return stop == end && error == std::errc() ? std::optional<Integer>(n) : std::nullopt;
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_PARSE_NUMBER_H

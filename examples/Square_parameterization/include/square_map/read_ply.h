@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_READ_PLY_H
+#define SQUARE_MAP_READ_PLY_H
+
+#include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
+
+#include "Ply_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace square_map {
+
+// CGAL's reader takes half of the types of indices alone, and zero for a coordinate that is missing.
+
+/// the place of a property of an element; as many as there are properties when it has none of that name
+inline std::size_t ply_property_of(const Ply_element& element, const std::string& name)
+{
+  std::size_t k = 0;
+  while(k < element.properties.size() && element.properties[k].name != name)
+    ++k;
+  return k;
+}
+
+/// the number of entries of a list
+template <class Values>
+std::size_t next_ply_size(Values& values, const Ply_property& property, const std::string& element, std::size_t index)
+{
+  const double size = values.next(property.size_type, element, index);
+  if(!(size >= 0) || size > 4294967295. || size != std::floor(size))
+    throw Malformed_file(element + ' ' + std::to_string(index) + " has a list " + in_quotes(property.name) +
+                         " whose number of entries is not a number from 0");
+  return static_cast<std::size_t>(size);
+}
+
+/// passes over a property
+template <class Values>
+void skip_ply_property(Values& values, const Ply_property& property, const std::string& element, std::size_t index)
+{
+  const std::size_t count = property.is_list ? next_ply_size(values, property, element, index) : 1;
+  values.skip(property.type, count, element, index);
+}
+
+/// reads the points: the scalars x, y and z of each vertex, of any type
+template <class Values>
+void read_ply_points(Values& values, const Ply_element& element, CGAL_ext::internal::Surface_soup& soup)
+{
+  static const char* const names[] = {"x", "y", "z"};
+  std::vector<int> axes(element.properties.size(), -1); // per property
+  for(int axis = 0; axis < 3; ++axis) {
+    const std::size_t k = ply_property_of(element, names[axis]);
+    if(k == element.properties.size())
+      throw Malformed_file(std::string("it has no coordinate ") + names[axis]);
+    if(element.properties[k].is_list)
+      throw Malformed_file(std::string("its coordinate ") + names[axis] + " is a list; a number was expected");
+    axes[k] = axis;
+  }
+  soup.points.reserve(std::min(element.count, values.bytes_left() / 3));
+  for(std::size_t v = 0; v < element.count; ++v) {
+    Eigen::Vector3d& p = soup.points.emplace_back();
+    for(std::size_t k = 0; k < axes.size(); ++k)
+      if(axes[k] >= 0)
+        p[axes[k]] = values.next(element.properties[k].type, element.name, v);
+      else
+        skip_ply_property(values, element.properties[k], element.name, v);
+    values.end_element(element.name, v);
+  }
+}
+
+/// reads the polygons: the list vertex_indices, or vertex_index, of each face. A negative index becomes a large one,
+/// which no vertex has.
+template <class Values>
+void read_ply_faces(Values& values, const Ply_element& element, CGAL_ext::internal::Surface_soup& soup)
+{
+  std::size_t indices = ply_property_of(element, "vertex_indices");
+  if(indices == element.properties.size())
+    indices = ply_property_of(element, "vertex_index");
+  if(indices == element.properties.size() || !element.properties[indices].is_list)
+    throw Malformed_file("its faces have no list vertex_indices or vertex_index");
+  soup.faces.reserve(std::min(element.count, values.bytes_left()));
+  for(std::size_t f = 0; f < element.count; ++f) {
+    std::vector<std::size_t>& face = soup.faces.emplace_back();
+    for(std::size_t k = 0; k < element.properties.size(); ++k) {
+      const Ply_property& property = element.properties[k];
+      if(k != indices) {
+        skip_ply_property(values, property, element.name, f);
+        continue;
+      }
+      const std::size_t size = next_ply_size(values, property, element.name, f);
+      face.reserve(std::min(size, values.bytes_left()));
+      for(std::size_t i = 0; i < size; ++i) {
+        const double index = values.next(property.type, element.name, f);
+        if(!(std::abs(index) < 9007199254740992.) || index != std::floor(index))
+          throw Malformed_file("face " + std::to_string(f) + " has an index that is not a whole number");
+        face.push_back(static_cast<std::size_t>(static_cast<std::int64_t>(index)));
+      }
+    }
+    values.end_element(element.name, f);
+  }
+}
+
+/// reads the data of a PLY file up to the last element that is needed; what follows is passed over
+template <class Values>
+CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& header)
+{
+  CGAL_ext::internal::Surface_soup soup;
+  bool has_vertices = false, has_faces = false;
+  for(const Ply_element& element : header.elements) {
+    if(has_vertices && has_faces)
+      break;
+    if(element.name == "vertex") {
+      read_ply_points(values, element, soup);
+      has_vertices = true;
+    } else if(element.name == "face") {
+      read_ply_faces(values, element, soup);
+      has_faces = true;
+    } else
+      for(std::size_t i = 0; i < element.count; ++i) {
+        for(const Ply_property& property : element.properties)
+          skip_ply_property(values, property, element.name, i);
+        values.end_element(element.name, i);
+      }
+  }
+  return soup;
+}
+
+/// reads a PLY file: text or binary, with numbers of any type
+inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text)
+{
+  const Ply_header header = read_ply_header(text);
+  const auto has = [&header](const char* name) {
+    return std::any_of(header.elements.begin(), header.elements.end(),
+                       [name](const Ply_element& element) { return element.name == name; });
+  };
+  if(!has("vertex"))
+    throw Malformed_file("it has no element vertex");
+  if(!has("face") && has("tristrips"))
+    throw Malformed_file("it has triangle strips, which are not read; an element face was expected");
+  return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header)
+                         : read_ply_data(Ply_bytes(text, header), header);
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_READ_PLY_H

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_command_line_checks.h"
+
+// Valid files of all kinds: each holds the sheet of the other tests.
+
+namespace {
+
+/// the file must hold the sheet
+Mapped check_sheet(const std::string& name, const std::string& text)
+{
+  INFO(name << " of " << text.size() << " bytes, begins with " << text.substr(0, 200));
+  const Temporary_folder folder;
+  const Mapped mapped = check_map(folder.add(name, text));
+  CHECK(mapped.map.points == small.points);
+  CHECK(mapped.map.faces == small.faces);
+  return mapped;
+}
+
+std::string replaced(std::string text, const std::string& before, const std::string& after)
+{
+  for(std::size_t place = text.find(before); place != std::string::npos;
+      place = text.find(before, place + after.size()))
+    text.replace(place, before.size(), after);
+  return text;
+}
+
+template <class Number>
+std::string big_endian(Number x)
+{
+  const std::string little = bytes(x);
+  return {little.rbegin(), little.rend()};
+}
+
+/// how numbers of a PLY file are written
+typedef std::string (*Write)(double x, bool is_big);
+
+template <class Number>
+std::string binary(double x, bool is_big)
+{
+  const Number number = static_cast<Number>(x);
+  return is_big ? big_endian(number) : bytes(number);
+}
+
+const std::vector<std::pair<std::string, Write>> integer_types{
+    {"char", binary<std::int8_t>},     {"uchar", binary<std::uint8_t>}, {"short", binary<std::int16_t>},
+    {"ushort", binary<std::uint16_t>}, {"int", binary<std::int32_t>},   {"uint", binary<std::uint32_t>}};
+
+std::string uppercase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("PLY files are read with lists of any types of integers, in text and in both orders of bytes")
+{
+  for(const auto& [size_name, write_size] : integer_types)
+    for(const auto& [index_name, write_index] : integer_types)
+      for(const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+        const bool is_big = std::string(format) == "binary_big_endian", is_text = std::string(format) == "ascii";
+        std::string text =
+            replaced(ply_header(small, format), "list uchar int", "list " + size_name + ' ' + index_name);
+        for(const Point& p : small.points)
+          for(int i = 0; i < 3; ++i)
+            text += is_text ? number(p[i]) + (i == 2 ? "\n" : " ") : binary<double>(p[i], is_big);
+        for(const Face& face : small.faces) {
+          text += is_text ? row(face, 0, "3 ") : write_size(3, is_big);
+          for(std::size_t k = 0; !is_text && k < 3; ++k)
+            text += write_index(double(face[k]), is_big);
+        }
+        check_sheet("in.ply", text);
+      }
+}
+
+TEST_CASE("PLY files are read with integer coordinates, and with elements and properties that are not needed")
+{
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement camera 1\nproperty list uchar float view\nelement vertex 4\n";
+  const std::string text = head +
+                           "property uchar red\nproperty short z\nproperty int y\nproperty list uchar int near\n"
+                           "property uchar x\nelement face 2\nproperty list int float weights\n"
+                           "property list uint8 uint16 vertex_index\nproperty float quality\nelement edge 9\n"
+                           "property int a\nend_header\n2 1.5 2\n9 0 0 0 0\n9 0 0 2 7 7 3\n9 5 4 0 3\n9 0 4 0 0\n"
+                           "0 3 0 1 2 .5\n2 1e3 nan 3 0 2 3 .25\n";
+  const Temporary_folder folder;
+  const Map map = check_map(folder.add("in.ply", text), {"--cut", "none"}).map;
+  REQUIRE(map.points.size() >= 4);
+  CHECK(map.points[0] == Point{0, 0, 0});
+  CHECK(map.points[1] == Point{3, 0, 0});
+  CHECK(map.points[2] == Point{3, 4, 5});
+  CHECK(map.points[3] == Point{0, 4, 0});
+}
+
+TEST_CASE("OBJ files are read with all that the format has")
+{
+  const std::string text = obj(small);
+  for(const std::string& variant :
+      {replaced(text, " ", "\t"), replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"), "\xef\xbb\xbf" + text,
+       replaced(text, " ", " \\\n  "), replaced(text, " ", " \\\r\n"), replaced(text, "\n", " # comment\n"),
+       replaced(text, "f ", "fo ")})
+    check_sheet("in.obj", variant);
+  Soup relative = small;
+  for(Face& face : relative.faces)
+    for(long& v : face)
+      v -= long(small.points.size()) + 1; // the text adds 1
+  check_sheet("in.obj", obj(relative));
+  const std::size_t faces = text.find("f ");
+  check_sheet("in.obj", text.substr(faces) + text.substr(0, faces)); // faces before vertices
+}
+
+TEST_CASE("what an OBJ file has beside points and faces is passed over and said")
+{
+  std::string points, faces;
+  for(const Point& p : small.points)
+    points += replaced(row(p, "v "), "\n", " 0.5 0.25 1\n");
+  for(const Face& face : small.faces)
+    faces += "f " + std::to_string(face[0] + 1) + "/1/1 " + std::to_string(face[1] + 1) + "//1 " +
+             std::to_string(face[2] + 1) + "/1\n";
+  const Mapped mapped = check_sheet(
+      "in.obj", "mtllib a b.mtl\no sheet\nmg 1 0.5\nmaplib m\nusemap off\n" + points +
+                    "vt 0 0\nvn 0 0 1\nvp 0 0\ncall other.obj 1\ng a b\ns off\nusemtl red\n" + faces +
+                    "l 1 2 3\np 1\ncstype bspline\ndeg 3\ncurv 0 1 1 2 \\\n 3 4\nparm u 0 1\nend\nbanana 1\n");
+  const nlohmann::json expected{{"colors", 35},
+                                {"display and command lines", 1},
+                                {"free-form lines", 6},
+                                {"groups", 3},
+                                {"lines of unknown kinds, the first of them line 104", 1},
+                                {"materials", 4},
+                                {"normals", 1},
+                                {"objects", 1},
+                                {"points", 1},
+                                {"polylines", 1},
+                                {"texture coordinates", 1}};
+  CHECK(mapped.report["input"]["passed_over"] == expected);
+  CHECK(mapped.messages.find("passed over in the file: colors (35), ") != std::string::npos);
+  for(const char* weight : {" 1", " 0.5 0.25 1 1"})
+    check_sheet("in.obj", replaced(points, " 0.5 0.25 1", weight) + faces);
+  const Temporary_folder folder;
+  const Finished_process quiet = square_map({folder.add("in.obj", obj(small) + "l 1 2\n"), "--quiet"});
+  CHECK(quiet.status == DONE);
+  CHECK(quiet.err == "");
+}
+
+TEST_CASE("OFF files are read in text and binary, with and without what they say beside the surface")
+{
+  const std::string text = off(small);
+  const std::string counts = "35 48 0\n", points_and_faces = text.substr(text.find(counts) + counts.size());
+  std::string colored = "OFF # keyword\n\n# comment\n 35\n48 0 # counts\n";
+  for(const Point& p : small.points)
+    colored += replaced(row(p, "  "), "\n", " 255 0 0\n");
+  for(const Face& face : small.faces)
+    colored += "# a face\n" + replaced(row(face, 0, "3\t"), "\n", " 0.5 0.5 0.5 # red\n");
+  for(const std::string& variant :
+      {"\xef\xbb\xbf" + text, replaced(text, "\n", "\r\n"), colored, "OFF\n35 48\n" + points_and_faces,
+       "nOFF 3\n" + counts + points_and_faces, "OFF " + counts + points_and_faces, text + "trailing words"})
+    check_sheet("in.off", variant);
+  std::string homogeneous = "4OFF\n" + counts;
+  for(const Point& p : small.points)
+    homogeneous += replaced(row(Point{2 * p[0], 2 * p[1], 2 * p[2]}), "\n", " 2\n");
+  check_sheet("in.off", homogeneous + counted_rows(small.faces));
+}
+
+TEST_CASE("binary OFF files are read with normals, colors and texture coordinates, and with any number of face colors")
+{
+  for(const std::string keyword : {"OFF", "NOFF", "COFF", "STOFF", "STCNOFF"})
+    for(int components : {-1, 0, 1, 3, 4}) { // after each face; -1: without their number
+      std::string binary = keyword + " BINARY\n" + big_endian(std::int32_t(35)) + big_endian(std::int32_t(48)) +
+                           big_endian(std::int32_t(0));
+      const bool has_normals = keyword.find('N') != std::string::npos,
+                 has_colors = keyword.find('C') != std::string::npos;
+      const int attributes = (has_normals ? 3 : 0) + (has_colors ? 4 : 0) + (keyword[0] == 'S' ? 2 : 0);
+      for(const Point& p : small.points) {
+        for(double x : p)
+          binary += big_endian(float(x));
+        for(int i = 0; i < attributes; ++i)
+          binary += big_endian(0.5f);
+      }
+      for(const Face& face : small.faces) {
+        binary += big_endian(std::int32_t(3));
+        for(long v : face)
+          binary += big_endian(std::int32_t(v));
+        binary += components < 0 ? "" : big_endian(std::int32_t(components));
+        for(int i = 0; i < components; ++i)
+          binary += big_endian(0.25f);
+      }
+      check_sheet("in.off", binary);
+    }
+}
+
+TEST_CASE("STL files are read in any case and with any name, binary ones also when they begin with solid")
+{
+  const std::string text = stl(small);
+  for(const std::string& variant :
+      {uppercase(text), replaced(text, "sheet", "my facet"), replaced(text, "solid sheet", "solid"),
+       replaced(text, "\n", " "), replaced(text, "normal 0 0 0", "normal nan nan nan"), "  " + text,
+       text + text.substr(0, 12) + "endsolid\n"})
+    check_sheet("in.stl", variant);
+  std::string binary = binary_stl(small);
+  check_sheet("in.stl", binary.replace(0, 12, "solid facet "));
+  check_sheet("in.stl", binary_stl(small) + "after the last facet");
+}

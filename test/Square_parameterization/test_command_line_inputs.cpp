@@ -133,6 +133,7 @@ TEST_CASE("seams that are not a file are refused")
   check_refusal(folder, {input, "--seams", folder / "folder"}, BAD_FILE, "it is a folder");
   check_refusal(folder, {input, "--seams", folder / "pipe"}, BAD_FILE, "it is a pipe; a file was expected");
   check_refusal(folder, {input, "--seams", folder / "missing"}, BAD_FILE, "there is no such file");
+  check_refusal(folder, {input, "--seams", "-"}, BAD_FILE, "there is no such file"); // not standard input
 }
 
 TEST_CASE("the surface that is mapped is written as binary STL")

@@ -94,7 +94,7 @@ inline std::vector<std::size_t> next_binary_off_face(Byte_scanner& scanner, std:
     const auto index = scanner.next<std::int32_t>("face", f);
     if(index < 0 || static_cast<std::size_t>(index) >= header.vertices)
       throw Malformed_file(name + " names vertex " + std::to_string(index) + "; the file has " +
-                           counted(header.vertices, "vertex", "vertices") + ", counted from 0");
+                           number_of(header.vertices, "vertex", "vertices") + ", counted from 0");
     face.push_back(static_cast<std::size_t>(index));
   }
   const std::size_t components = colors.are_counted_on_faces ? next_off_count(scanner, "face", f) : 0;
@@ -119,8 +119,8 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(Byte_scanner scanner, co
 }
 
 /// reads what follows the line with the word BINARY. Geomview's format has four color components on a vertex, and the
-/// number of color components after each face; where that makes no sense, the forms that other programs write are tried:
-/// three components, and no number.
+/// number of color components after each face; where that makes no sense, the forms that other programs write are
+/// tried: three components, and no number.
 inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, Off_header header)
 {
   Byte_scanner scanner(bytes, boost::endian::order::big);

@@ -29,7 +29,7 @@ inline std::string in_quotes(std::string_view piece)
 }
 
 /// a number of things, in words: "1 face", "2 faces"
-inline std::string number_of(std::size_t count, const std::string& thing, const std::string& things)
+inline std::string counted(std::size_t count, const std::string& thing, const std::string& things)
 {
   return std::to_string(count) + ' ' + (count == 1 ? thing : things);
 }

@@ -94,7 +94,7 @@ inline std::vector<std::size_t> next_binary_off_face(Byte_scanner& scanner, std:
     const auto index = scanner.next<std::int32_t>("face", f);
     if(index < 0 || static_cast<std::size_t>(index) >= header.vertices)
       throw Malformed_file(name + " names vertex " + std::to_string(index) + "; the file has " +
-                           number_of(header.vertices, "vertex", "vertices") + ", counted from 0");
+                           counted(header.vertices, "vertex", "vertices") + ", counted from 0");
     face.push_back(static_cast<std::size_t>(index));
   }
   const std::size_t components = colors.are_counted_on_faces ? next_off_count(scanner, "face", f) : 0;

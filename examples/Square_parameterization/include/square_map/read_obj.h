@@ -66,7 +66,7 @@ public:
     }
     if(m_highest > m_soup.points.size())
       throw Malformed_file(m_line_of_highest + ": a face names vertex " + std::to_string(m_highest) +
-                           "; the file has " + number_of(m_soup.points.size(), "vertex", "vertices") +
+                           "; the file has " + counted(m_soup.points.size(), "vertex", "vertices") +
                            ", counted from 1");
     return std::move(m_soup);
   }
@@ -131,7 +131,7 @@ private:
     if(index == 0 || index < -static_cast<std::int64_t>(count))
       m_scanner.refuse("a face names vertex " + std::to_string(index) + "; " +
                        (index == 0 ? "vertices are counted from 1"
-                                   : "there are " + number_of(count, "vertex", "vertices") + " before it"));
+                                   : "there are " + counted(count, "vertex", "vertices") + " before it"));
     if(index < 0)
       return count - static_cast<std::size_t>(-index);
     const auto number = static_cast<std::size_t>(index);
@@ -153,7 +153,7 @@ inline CGAL_ext::internal::Surface_soup read_obj(std::string_view text, Passed_o
 {
   CGAL_ext::internal::Surface_soup soup = Obj_reader(text).read(passed_over);
   if(soup.faces.empty())
-    throw Malformed_file("it has " + number_of(soup.points.size(), "vertex", "vertices") + " and no faces");
+    throw Malformed_file("it has " + counted(soup.points.size(), "vertex", "vertices") + " and no faces");
   return soup;
 }
 

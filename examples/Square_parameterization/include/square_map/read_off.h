@@ -54,7 +54,7 @@ inline void read_off_points(Text_scanner& scanner, const Off_header& header, CGA
   for(std::size_t v = 0; v < header.vertices; ++v) {
     if(!scanner.find_word())
       throw Malformed_file("it is incomplete: it ends after " + std::to_string(v) + " of " +
-                           number_of(header.vertices, "vertex", "vertices"));
+                           counted(header.vertices, "vertex", "vertices"));
     const double x = scanner.next_real("a coordinate"), y = scanner.next_real("a coordinate"),
                  z = scanner.next_real("a coordinate");
     const double w = header.is_homogeneous ? scanner.next_real("a homogeneous coordinate") : 1;
@@ -70,7 +70,7 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
   for(std::size_t f = 0; f < header.faces; ++f) {
     if(!scanner.find_word())
       throw Malformed_file("it is incomplete: it ends after " + std::to_string(f) + " of " +
-                           number_of(header.faces, "face", "faces"));
+                           counted(header.faces, "face", "faces"));
     const std::string_view first = scanner.next_word();
     const auto size = parse_integer<std::uint32_t>(first);
     if(!size)

@@ -149,7 +149,7 @@ private:
     if(word.empty() || (m_scanner.bytes_left() == 0 && !boost::iequals(word, "endsolid")))
       throw Malformed_file("it is incomplete: it ends " +
                            (m_is_in_facet ? "in facet " + std::to_string(m_facets.size())
-                                          : "without endsolid after " + number_of(m_facets.size(), "facet", "facets")));
+                                          : "without endsolid after " + counted(m_facets.size(), "facet", "facets")));
     return word;
   }
 

@@ -107,7 +107,7 @@ TEST_CASE("seams are read with comments, and refused with their line")
   const std::string input = folder.add("in.off", off(small));
   const long a = small.faces[10][0], b = small.faces[10][1];
   const std::string seam = std::to_string(a) + ' ' + std::to_string(b);
-  // the seam of one edge cannot cut a disk open unless it reaches the border, but it must be read in each of these forms
+  // one inner edge need not cut a disk open, but it must be read in each of these forms, with the same outcome
   const auto outcome = [&](const std::string& text) {
     return square_map({input, "--seams", folder.add("seams", text), "--quiet"});
   };
@@ -133,6 +133,7 @@ TEST_CASE("seams that are not a file are refused")
   check_refusal(folder, {input, "--seams", folder / "folder"}, BAD_FILE, "it is a folder");
   check_refusal(folder, {input, "--seams", folder / "pipe"}, BAD_FILE, "it is a pipe; a file was expected");
   check_refusal(folder, {input, "--seams", folder / "missing"}, BAD_FILE, "there is no such file");
+  check_refusal(folder, {input, "--seams", "-"}, BAD_FILE, "there is no such file"); // not standard input
 }
 
 TEST_CASE("the surface that is mapped is written as binary STL")

@@ -30,7 +30,7 @@ public:
     if(!number || (!is_real && !parse_integer<std::int64_t>(word)))
       m_scanner.refuse(word,
                        "in " + element + ' ' + std::to_string(index) + (is_real ? " a number" : " a whole number"));
-    return *number;
+    return type == Ply_type::FLOAT32 ? static_cast<double>(static_cast<float>(*number)) : *number; // as in binary
   }
 
   void skip(Ply_type type, std::size_t count, const std::string& element, std::size_t index)

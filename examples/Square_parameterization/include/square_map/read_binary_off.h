@@ -119,8 +119,8 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(Byte_scanner scanner, co
 }
 
 /// reads what follows the line with the word BINARY. Geomview's format has four color components on a vertex, and the
-/// number of color components after each face; where that makes no sense, the forms that other programs write are tried:
-/// three components, and no number.
+/// number of color components after each face; where that makes no sense, the forms that other programs write are
+/// tried: three components, and no number.
 inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, Off_header header)
 {
   Byte_scanner scanner(bytes, boost::endian::order::big);

@@ -49,7 +49,7 @@ inline std::vector<std::array<std::size_t, 2>> parse_seams(std::string_view text
   return seams;
 }
 
-/// reads the seams of a regular file: a pipe could be one that nobody writes to
+/// reads the seams of a file, not of a pipe: nobody may write to it; nor of standard input, which may be the surface
 inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& path,
                                                           const CGAL_ext::internal::Conditioning_report& conditioning)
 {
@@ -58,7 +58,7 @@ inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& pat
     std::error_code error;
     if(std::filesystem::is_fifo(path, error))
       throw Malformed_file("it is a pipe; a file was expected");
-    text = without_byte_order_mark(read_bytes(path).bytes);
+    text = without_byte_order_mark(read_bytes(path == "-" ? "./-" : path).bytes);
   } catch(const Malformed_file& error) {
     throw Malformed_file("cannot read '" + path + "': " + error.what());
   }

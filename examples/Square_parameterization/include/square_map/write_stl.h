@@ -33,8 +33,8 @@ inline void write_stl_number(std::ostream& stream, double x)
   write_stl_number(stream, bits);
 }
 
-/// writes the faces of a triangle mesh as binary STL: without texture coordinates, for which it has no place. CGAL's writer
-/// puts normals that are no numbers beside very small triangles, and infinite coordinates.
+/// writes the faces of a triangle mesh as binary STL: without texture coordinates, for which it has no place. CGAL's
+/// writer puts normals that are no numbers beside very small triangles, and infinite coordinates.
 /// \throw Output_error for a coordinate that is too large for STL; nothing is written then
 template <class Mesh>
 void write_stl(std::ostream& stream, const Mesh& mesh)

@@ -89,7 +89,7 @@ TEST_CASE("a stream that holds no surface is refused")
   }
 }
 
-TEST_CASE("--input-format takes the place of the extension")
+TEST_CASE("the option --input-format takes the place of the extension")
 {
   const Temporary_folder folder;
   for(const auto& [format, text] : sheets())

@@ -47,14 +47,21 @@ inline void read_off_counts(Text_scanner& scanner, Off_header& header)
     scanner.refuse(edges, "the number of edges");
 }
 
+/// goes to the row of a vertex or a face; refuses a file that ends before it
+inline void find_off_row(Text_scanner& scanner, std::size_t row, std::size_t count, const char* thing,
+                         const char* things)
+{
+  if(!scanner.find_word())
+    throw Malformed_file("it is incomplete: it ends after " + std::to_string(row) + " of " +
+                         counted(count, thing, things));
+}
+
 /// reads points, one a line; what follows the coordinates is passed over: colors, normals, texture coordinates
 inline void read_off_points(Text_scanner& scanner, const Off_header& header, CGAL_ext::internal::Surface_soup& soup)
 {
   soup.points.reserve(std::min(header.vertices, scanner.bytes_left() / 6));
   for(std::size_t v = 0; v < header.vertices; ++v) {
-    if(!scanner.find_word())
-      throw Malformed_file("it is incomplete: it ends after " + std::to_string(v) + " of " +
-                           counted(header.vertices, "vertex", "vertices"));
+    find_off_row(scanner, v, header.vertices, "vertex", "vertices");
     const double x = scanner.next_real("a coordinate"), y = scanner.next_real("a coordinate"),
                  z = scanner.next_real("a coordinate");
     const double w = header.is_homogeneous ? scanner.next_real("a homogeneous coordinate") : 1;
@@ -68,9 +75,7 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
 {
   soup.faces.reserve(std::min(header.faces, scanner.bytes_left() / 2));
   for(std::size_t f = 0; f < header.faces; ++f) {
-    if(!scanner.find_word())
-      throw Malformed_file("it is incomplete: it ends after " + std::to_string(f) + " of " +
-                           counted(header.faces, "face", "faces"));
+    find_off_row(scanner, f, header.faces, "face", "faces");
     const std::string_view first = scanner.next_word();
     const auto size = parse_integer<std::uint32_t>(first);
     if(!size)

@@ -24,8 +24,8 @@ inline void spare_address_space()
   rlimit limit = {};
   if(getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
     return;
-  constexpr std::size_t STACK_OF_A_THREAD =
-      1 << 20; // bytes; no function that threads run is recursive or has large arrays
+  // bytes; no function that threads run is recursive or has large arrays
+  constexpr std::size_t STACK_OF_A_THREAD = 1 << 20;
   mallopt(M_ARENA_MAX, 1);
   pthread_attr_t attributes;
   if(pthread_attr_init(&attributes) != 0)

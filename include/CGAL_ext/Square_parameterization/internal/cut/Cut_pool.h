@@ -12,7 +12,6 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -125,12 +124,11 @@ public:
     return (*this)(std::move(starts), [](Scored_cut&) {});
   }
 
-  /// what all scores together have cost: time is all but proportional to it. Beyond all limits when the deadline has
-  /// passed.
-  long vertices_mapped() const
-  {
-    return has_passed(m_deadline) ? (std::numeric_limits<long>::max)() / 2 : m_vertices_mapped;
-  }
+  /// what all scores together have cost: time is all but proportional to it
+  long vertices_mapped() const { return m_vertices_mapped; }
+
+  /// indicates whether scores have cost \p work, in vertices mapped, or the deadline has passed
+  bool is_exhausted(long work) const { return m_vertices_mapped >= work || has_passed(m_deadline); }
 
   /// what a score has cost. \pre there is one
   long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }

@@ -46,7 +46,8 @@ private:
   bool is_exhausted() const
   {
     const long limit = has_many_loops(m_surface, m_numbers) ? m_numbers.little_growth_work : m_numbers.growth_work;
-    return m_pool.vertices_mapped() + 2 * m_numbers.candidates * m_pool.vertices_per_score() > limit;
+    const long next_terminal = 2 * m_numbers.candidates * m_pool.vertices_per_score();
+    return m_pool.is_exhausted(limit - next_terminal + 1); // with it, beyond the limit
   }
 
   /// the best of the cuts (ties: the first)

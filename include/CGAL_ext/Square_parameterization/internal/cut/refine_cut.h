@@ -17,13 +17,13 @@ namespace CGAL_ext {
 namespace internal {
 
 /// lets each terminal of the cut go, or give way to one at a distance, where that lowers the score; false when it never
-/// does, or when the pool has mapped \p work vertices
+/// does. Ends early when the pool has mapped \p work vertices, or its deadline has passed.
 inline bool improve_cut(Cut_pool& pool, double distance, long work, Scored_cut& best, Cut_report& report)
 {
   const Triangle_surface& surface = pool.surface();
   bool is_improved = false;
   for(int terminal : std::vector<int>(best.cut.terminals())) {
-    if(pool.vertices_mapped() >= work)
+    if(pool.is_exhausted(work))
       break;
     std::vector<Scored_cut> cuts;
     if(may_be_freed(surface, best.cut))
@@ -51,7 +51,7 @@ inline void refine_cut(Cut_pool& pool, Scored_cut& cut, Cut_report& report)
   const Cut_numbers& numbers = pool.numbers();
   record(cut, report);
   const long work = pool.vertices_mapped() + numbers.refinement_work;
-  for(double step = numbers.first_step; step >= numbers.last_step && pool.vertices_mapped() < work;)
+  for(double step = numbers.first_step; step >= numbers.last_step && !pool.is_exhausted(work);)
     if(!improve_cut(pool, step * std::sqrt(pool.surface().area), work, cut, report))
       step /= 2;
 }

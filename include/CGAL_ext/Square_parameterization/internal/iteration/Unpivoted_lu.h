@@ -20,10 +20,10 @@ namespace internal {
 /// factors matrices A = L U of one symmetric pattern along their diagonal: L has ones on its diagonal, and U has the
 /// pattern of the transpose of L.
 ///
-/// A convex combination matrix is a diagonally dominant M-matrix, for which elimination without pivots is stable. Then
 /// L and U are found like the factor of Davis' LDL (ACM TOMS 31, 2005), a row of L with a column of U at a time. On
 /// grids of 40000 vertices this takes the time of Eigen's SparseLU, on smaller ones less, on larger ones more (2.7
-/// times at 250000); and programs with SparseLU take 4 s and 300 MB more to compile. The rows come in a fill-reducing order already (see `Convex_combination_system`).
+/// times at 250000); and programs with SparseLU take 4 s and 300 MB more to compile. The interface is that of Eigen's
+/// factorizations.
 class Unpivoted_lu
 {
 public:
@@ -31,7 +31,7 @@ public:
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
   /// finds the pattern of the factors. The pattern of \p matrix is symmetric, compressed, with its rows in order.
-  void analyze(const Matrix& matrix)
+  void analyzePattern(const Matrix& matrix)
   {
     const int n = static_cast<int>(matrix.rows());
     const int *begin = matrix.outerIndexPtr(), *rows = matrix.innerIndexPtr();
@@ -58,10 +58,11 @@ public:
     m_diagonal.resize(n);
   }
 
-  /// computes the factors; false when a pivot is zero or not finite
-  /// \pre `analyze()` was called with a matrix of the same pattern
-  bool factorize(const Matrix& matrix)
+  /// computes the factors; fails when a pivot is zero or not finite
+  /// \pre `analyzePattern()` was called with a matrix of the same pattern
+  void factorize(const Matrix& matrix)
   {
+    m_info = Eigen::NumericalIssue;
     const int n = static_cast<int>(matrix.rows());
     std::vector<int> visited_for(n, -1), path(n), pattern(n);
     std::vector<std::array<double, 2>> y(n, {0, 0}); // a row of L and a column of U, as far as they are computed
@@ -83,16 +84,19 @@ public:
         m_values[end[i]++] = {l, u};
       }
       if(!std::isfinite(pivot) || pivot == 0)
-        return false;
+        return;
       m_diagonal[k] = pivot;
     }
-    return true;
+    m_info = Eigen::Success;
   }
 
-  /// solves A \p x = \p b; call `factorize()` first
-  void solve(const Columns& b, Columns& x) const
+  /// indicates whether the last `factorize()` succeeded
+  Eigen::ComputationInfo info() const { return m_info; }
+
+  /// the solution x of A x = \p b; call `factorize()` first
+  Columns solve(const Columns& b) const
   {
-    x = b;
+    Columns x = b;
     const int n = static_cast<int>(m_diagonal.size());
     for(int i = 0; i < n; ++i)
       for(std::size_t p = m_begin[i]; p < m_begin[i + 1]; ++p)
@@ -105,6 +109,7 @@ public:
           sum -= m_values[p][1] * x(m_rows[p], axis);
         x(i, axis) = sum / m_diagonal[i];
       }
+    return x;
   }
 
 private:
@@ -136,6 +141,7 @@ private:
   std::vector<int> m_rows;                     // the rows of L, the columns of U
   std::vector<std::array<double, 2>> m_values; // of L and of U
   std::vector<double> m_diagonal;              // of U
+  Eigen::ComputationInfo m_info = Eigen::InvalidInput;
 };
 
 } // namespace internal

@@ -13,16 +13,16 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// for symmetric positive definite matrices of which the upper triangle is stored, rows in a fill-reducing order
-/// already. The symbolic analysis is done once, at the first matrix.
-class Symmetric_solver : public Linear_solver
+/// a factorization of Eigen, or with its interface, whose symbolic analysis is done once, at the first matrix
+template <class Factorization>
+class Direct_solver : public Linear_solver
 {
 public:
   bool factorize(const Sparse_matrix& matrix) override
   {
-    if(!m_is_analyzed)
+    if(!m_analyzed)
       m_factorization.analyzePattern(matrix);
-    m_is_analyzed = true;
+    m_analyzed = true;
     m_factorization.factorize(matrix);
     return m_factorization.info() == Eigen::Success;
   }
@@ -34,32 +34,17 @@ public:
   }
 
 private:
-  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> m_factorization;
-  bool m_is_analyzed = false;
+  Factorization m_factorization;
+  bool m_analyzed = false;
 };
 
-/// for matrices with a symmetric pattern, rows in a fill-reducing order already
-class General_solver : public Linear_solver
-{
-public:
-  bool factorize(const Sparse_matrix& matrix) override
-  {
-    if(!m_is_analyzed)
-      m_factorization.analyze(matrix);
-    m_is_analyzed = true;
-    return m_factorization.factorize(matrix);
-  }
+/// for symmetric positive definite matrices of which the upper triangle is stored. The rows come in a fill-reducing
+/// order already (see `Convex_combination_system`), so that no factorization has to permute the matrix.
+using Symmetric_solver = Direct_solver<Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>>;
 
-  bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const override
-  {
-    m_factorization.solve(right_hand_sides, solution);
-    return solution.allFinite();
-  }
-
-private:
-  Unpivoted_lu m_factorization;
-  bool m_is_analyzed = false;
-};
+/// for matrices with a symmetric pattern, rows in a fill-reducing order already. A convex combination matrix is a
+/// diagonally dominant M-matrix, for which elimination along the diagonal is stable: no pivot is looked for.
+using General_solver = Direct_solver<Unpivoted_lu>;
 
 CGAL_EXT_INLINE_FUNCTION std::unique_ptr<Linear_solver> make_direct_solver(bool is_symmetric)
 {

@@ -189,7 +189,7 @@ private:
     m_samples.at(candidate) = sample;
     ++m_finished;
     if(objective < m_best_map.report.objective ||
-       (objective == m_best_map.report.objective && m_best_candidate && candidate < *m_best_candidate)) {
+       (objective == m_best_map.report.objective && candidate < m_best_candidate)) {
       m_best_candidate = candidate;
       m_best_map = std::move(map);
     }

@@ -3,6 +3,7 @@
 
 #include "test_meshes.h"
 
+#include <CGAL_ext/Square_parameterization/internal/soup/Planar_points.h>
 #include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
 #include <CGAL_ext/Square_parameterization/internal/soup/orient_soup.h>
 
@@ -412,6 +413,40 @@ TEST_CASE("a polygon is cut into triangles that do not overlap, also with many r
     }
     CHECK(sum == Approx(area));
   }
+}
+
+TEST_CASE("a point in a triangle is found among those that are left, as by trying all")
+{
+  Random_numbers random(7);
+  for(int n : {1, 7, 40, 500})
+    for(int columns : {3, 9, 1000}) { // few columns: many points in one place, and on the sides of triangles
+      const auto coordinate = [&] { return double(int(random(0, columns))); };
+      std::vector<Planar_points::Point> points;
+      for(int k = 0; k < n; ++k)
+        points.emplace_back(coordinate(), coordinate());
+      Planar_points tree(points);
+      std::vector<bool> is_left(points.size(), true);
+      for(int round = 0; round < n; ++round) {
+        Planar_points::Triangle t{Planar_points::Point(coordinate(), coordinate()),
+                                  {coordinate(), coordinate()},
+                                  {coordinate(), coordinate()}};
+        const CGAL::Orientation orientation = CGAL::orientation(t[0], t[1], t[2]);
+        if(orientation == CGAL::RIGHT_TURN)
+          std::swap(t[0], t[1]);
+        bool is_any_in = false;
+        for(int k = 0; k < n; ++k) {
+          bool is_in = is_left[k];
+          for(int side = 0; side < 3; ++side)
+            is_in = is_in && points[k] != t[side] &&
+                    CGAL::orientation(t[side], t[(side + 1) % 3], points[k]) != CGAL::RIGHT_TURN;
+          is_any_in = is_any_in || is_in;
+        }
+        if(orientation != CGAL::COLLINEAR)
+          CHECK(tree.is_any_in(t) == is_any_in);
+        is_left[round] = false;
+        tree.remove(round);
+      }
+    }
 }
 
 TEST_CASE("polygons without area, with corners in one place, or that meet themselves are split, too")

@@ -4,6 +4,7 @@
 #include "search_curve.h"
 #include "test_meshes.h"
 
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Few_corners_search.h>
 
 #include <catch2/catch.hpp>
@@ -216,4 +217,25 @@ TEST_CASE("a strategy of the user sees the number of candidates and their stretc
   const Search_report report = search_curve(curve, Every_third_corner_search());
   CHECK(report.evaluations == 4);
   CHECK(report.best_candidate == 6);
+}
+
+TEST_CASE("bracketing ends early where maps are slow, and not where they are not")
+{
+  const Stretch_curve curve = valley(400, 137);
+  Search_conditions conditions;
+  conditions.work_per_map = 20;
+  CHECK(search_curve(curve, Bracketing_corner_search(), conditions).best_candidate == 137);
+  conditions.work_per_map = 1000;
+  const Search_report slow = search_curve(curve, Bracketing_corner_search(), conditions);
+  CHECK(slow.evaluations == 5); // the samples to begin with
+  CHECK(slow.best_objective < 1.6);
+  CHECK_FALSE(slow.is_cancelled);
+
+  conditions.sketched_stretch = valley(400, 140);
+  const Search_report slow_sketches = search_curve(curve, Bracketing_corner_search(), conditions);
+  CHECK(slow_sketches.sketches == 8);
+  CHECK(slow_sketches.evaluations == 1);
+  CHECK(slow_sketches.best_candidate == 150); // the nearest of eight to 140
+  conditions.work_per_map = 10;
+  CHECK(search_curve(curve, Bracketing_corner_search(), conditions).best_candidate == 137);
 }

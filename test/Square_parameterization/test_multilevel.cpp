@@ -105,9 +105,10 @@ TEST_CASE("coarse to fine ends where the minimizer alone ends")
     for(bool is_sliding : {false, true}) {
       Balanced_minimization options;
       options.border = is_sliding ? Border_motion::SLIDING : Border_motion::FIXED;
-      options.search_tolerance = 1e-9;
+      options.search_tolerance = options.tolerance = 1e-9;
       Multilevel_minimizer::Workspace workspace;
-      const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_of(patch, 2), workspace);
+      const Multilevel_minimizer minimizer(patch, options);
+      const Minimized_map map = minimizer.finish(minimizer.minimize(border_of(patch, 2), workspace));
       Stretch_iteration::Workspace iteration_workspace;
       Balanced_minimizer::Workspace alone_workspace;
       Uv_coordinates start = start_of(patch).minimize(border_of(patch, 2), 1, iteration_workspace).uv;
@@ -186,10 +187,13 @@ TEST_CASE("a mesh whose Tutte map has triangles of area below 1e-12 is mapped wi
     INFO(rings << " rings, least area " << least_area);
     REQUIRE(least_area < 1e-12);
     Balanced_minimization options;
-    options.search_tolerance = 1e-6;
+    options.search_tolerance = options.tolerance = 1e-6;
     Multilevel_minimizer::Workspace workspace;
-    const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_of(patch, 0), workspace);
-    REQUIRE(map.uv.rows() > 0);
+    const Multilevel_minimizer minimizer(patch, options);
+    const Minimized_map compared = minimizer.minimize(border_of(patch, 0), workspace);
+    REQUIRE(compared.uv.rows() > 0);
+    CHECK(compared.report.iterations <= Minimizer_numbers::SEARCH_ITERATIONS);
+    const Minimized_map map = minimizer.finish(compared);
     CHECK(map.report.stop_reason == Stop_reason::CONVERGED);
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
   }

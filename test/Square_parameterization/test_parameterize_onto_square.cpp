@@ -263,3 +263,23 @@ TEST_CASE("corners are counted in the order of the vertices of the mesh, isolate
   CHECK(result.corners[0] == vertex_at(mesh, 1));
   CHECK(get(storage.map(), vertex_at(mesh, 25)) == Point_2(1, 1));
 }
+
+TEST_CASE("a start that leads to no map gives way to the others, in their order, and the report says so")
+{
+  const Flat_mesh flat = noisy_height_field(8);
+  const Result usual = map_onto_square(flat).result;
+  CHECK(usual.start == Map_start::AS_CHOSEN);
+  Balanced_minimization broken;
+  broken.start.weights = [](const Patch& patch) { return Edge_weights(patch, 0, true); }; // a singular system
+  Square_map_options<Surface_mesh> options;
+  options.minimization = broken;
+  SECTION("in a search") {}
+  SECTION("with corners of the user")
+  {
+    options.corners = with_corners({0, 8, 80, 72}).corners;
+  }
+  const Result other = map_onto_square(flat, options).result;
+  REQUIRE(other.status == SMP::OK);
+  CHECK(other.start == Map_start::BLENDED_WEIGHTS);
+  CHECK(other.search.best_objective < 1.2 * usual.search.best_objective);
+}

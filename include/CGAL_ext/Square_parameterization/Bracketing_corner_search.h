@@ -56,11 +56,21 @@ public:
   }
 
 private:
-  /// a ring of which no more candidates are evaluated than the bound
+  /// indicates whether the maps and sketches so far have cost as much as those of a hundred candidates of an even
+  /// surface: no more are made then, for all are alike in how much they are stretched, and each takes long
+  static bool has_cost_too_much(const Corner_search_problem& problem)
+  {
+    constexpr double MOST_WORK = 2000; // sweeps over the mesh
+    return problem.work && problem.work() > MOST_WORK;
+  }
+
+  /// a ring of which no more candidates are evaluated than the bound, and none when those before were too costly
   struct Samples
   {
-    explicit Samples(const Corner_search_problem& problem)
-      : ring(problem), bound((std::max)(12, static_cast<int>(2 * std::log2(double(problem.number_of_candidates))) + 4))
+    explicit Samples(const Corner_search_problem& problem_to_solve)
+      : problem(problem_to_solve),
+        ring(problem_to_solve),
+        bound((std::max)(12, static_cast<int>(2 * std::log2(double(problem_to_solve.number_of_candidates))) + 4))
     {
       ring.start_from_neighbors();
     }
@@ -69,6 +79,8 @@ private:
     /// none
     bool evaluate(const std::set<int>& candidates)
     {
+      if(is_exhausted())
+        return false;
       std::vector<int> batch;
       for(int candidate : candidates)
         if(ring.number_of_known() + static_cast<int>(batch.size()) < bound && !ring.is_known(candidate))
@@ -78,8 +90,11 @@ private:
       return !batch.empty();
     }
 
-    bool are_all() const { return ring.number_of_known() == (std::min)(bound, ring.size()); }
+    bool are_all() const { return ring.number_of_known() == (std::min)(bound, ring.size()) || is_exhausted(); }
 
+    bool is_exhausted() const { return ring.number_of_known() > 0 && has_cost_too_much(problem); }
+
+    const Corner_search_problem& problem;
     internal::Candidate_ring ring;
     int bound;
   };
@@ -106,7 +121,7 @@ private:
         result.insert(ring.at(middle + i));
       return result;
     };
-    samples.evaluate(both_sides(candidate, 2)); // a step over a ripple
+    samples.evaluate(both_sides(candidate, has_cost_too_much(samples.problem) ? 0 : 2)); // a step over a ripple
     while(std::isfinite(ring.objective(ring.best())))
       if(!samples.evaluate(both_sides(ring.best(), 1)))
         return true;
@@ -117,15 +132,17 @@ private:
   /// such mesh or it has no map
   static std::optional<int> best_sketch(const Corner_search_problem& problem)
   {
-    constexpr int SAMPLES = 32;
+    constexpr int FIRST_SAMPLES = 8, SAMPLES = 32;
     if(!problem.sketched_objective_of)
       return {};
     internal::Candidate_ring ring(problem);
     ring.compare_sketches();
-    ring.evaluate(ring.even_candidates(SAMPLES));
+    ring.evaluate(ring.even_candidates(FIRST_SAMPLES));
+    if(!has_cost_too_much(problem))
+      ring.evaluate(ring.even_candidates(SAMPLES));
     if(!std::isfinite(ring.objective(ring.best())))
       return {};
-    for(std::set<int> finer; !(finer = samples_around_best(ring, SAMPLES)).empty();)
+    for(std::set<int> finer; !has_cost_too_much(problem) && !(finer = samples_around_best(ring, SAMPLES)).empty();)
       ring.evaluate({finer.begin(), finer.end()});
     return ring.best();
   }

@@ -37,6 +37,11 @@ struct Corner_search_problem
   /// vertices, and when the minimizer has no coarser meshes.
   std::function<std::vector<double>(const std::vector<int>&)> sketched_objective_of;
 
+  /// what all maps and sketches so far have cost, in sweeps over the vertices of the mesh: an even surface takes about
+  /// twenty for an evaluation, one that is stretched tens of times hundreds. It does not depend on the number of threads
+  /// nor on the speed of the machine. Empty when the minimizer does not tell.
+  std::function<double()> work;
+
   int number_of_vertices = 1; ///< of the mesh that is mapped
   int number_of_faces = 1;    ///< of the mesh that is mapped
 

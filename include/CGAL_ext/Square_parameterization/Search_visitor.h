@@ -26,17 +26,17 @@ class Search_visitor
 public:
   virtual ~Search_visitor() = default;
 
-  /// called once, before the first evaluation, with the number of candidates: an upper bound of the evaluations
+  /// called before the first evaluation, once, and again for each other start (see `Map_start`) that is tried, with the number of candidates: an upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 
   /// called after each evaluation, in the order in which they finish, which differs from run to run with several
   /// threads
   virtual void after_evaluation(const Search_report::Sample& /* sample */) {}
 
-  /// called once, after the last evaluation; not when a search is refused or left by an exception
+  /// called after the last evaluation, as often as `start_search()`; not when a search is refused or left by an exception
   virtual void end_search(const Search_report& /* report */) {}
 
-  /// called once, after `end_search()`, with the minimization that made the best map: the delivered one, unless another
+  /// called once, after all of these, with the minimization that made the best map: the delivered one, unless another
   /// parameterizer takes the border alone from it
   virtual void end_minimization(const Minimization_report& /* report */) {}
 };

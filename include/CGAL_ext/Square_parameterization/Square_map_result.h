@@ -23,22 +23,37 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationResults
 ///
+/// what the minimization of the balanced energy began with. Where the start of the options leads to no map, or to one
+/// with an L2 stretch of the order of a thousand, which is a start lost in rounding more often than the surface, the
+/// others are tried in this order, until one does better than that; the best map is delivered.
+enum class Map_start
+{
+  AS_CHOSEN,          ///< that of the options
+  BLENDED_WEIGHTS,    ///< a first map by `Blended_weights`
+  UNIFORM_WEIGHTS,    ///< a first map by `Uniform_weights`
+  MEAN_VALUE_WEIGHTS, ///< a first map by `Mean_value_weights`
+  FIXED_BORDER_FIRST  ///< minimised with a fixed border, and only then with a sliding one
+};
+
+/// \ingroup PkgSquareParameterizationResults
+///
 /// what `parameterize_onto_square()` did to a mesh of any type
 struct Square_map_report
 {
   /// `OK`, or why there is no map
   CGAL::Surface_mesh_parameterization::Error_code status = CGAL::Surface_mesh_parameterization::OK;
-  std::string message;                ///< one sentence that names the condition and the place; empty on `OK`
-  std::optional<int> wrong_corner;    ///< of given corners the first, 0 to 3, that is not on the border
+  std::string message;             ///< one sentence that names the condition and the place; empty on `OK`
+  std::optional<int> wrong_corner; ///< of given corners the first, 0 to 3, that is not on the border
   /// of given corners that are distinct, but not counter-clockwise: their numbers, 0 to 3, in an order that is
   std::optional<std::array<int, 4>> counter_clockwise_corners;
-  Cut_report cut;                     ///< without seams for a disk that stays whole
-  std::size_t border_edges_split = 0; ///< one when the border had three edges: a square needs four
-  std::size_t chords_split = 0;       ///< number of edges that were split at their midpoint
-  Search_report search;               ///< candidates, evaluations and the curve of the objective
-  Minimization_report minimization;   ///< iterations of the delivered map
-  Stretch_measures measures;          ///< of the delivered map
-  std::size_t border_edges = 0;       ///< number of edges of the border
+  Cut_report cut;                         ///< without seams for a disk that stays whole
+  std::size_t border_edges_split = 0;     ///< one when the border had three edges: a square needs four
+  std::size_t chords_split = 0;           ///< number of edges that were split at their midpoint
+  Search_report search;                   ///< candidates, evaluations and the curve of the objective
+  Map_start start = Map_start::AS_CHOSEN; ///< what the delivered map began with; the searches are those from there
+  Minimization_report minimization;       ///< iterations of the delivered map
+  Stretch_measures measures;              ///< of the delivered map
+  std::size_t border_edges = 0;           ///< number of edges of the border
   /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as
   /// 1e-4 sqrt(area); the measures take them as they are.
   std::size_t degenerate_faces = 0;

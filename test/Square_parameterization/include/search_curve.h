@@ -54,6 +54,7 @@ struct Search_conditions
 
   Stretch_curve sketched_stretch = {};             ///< one per candidate; empty: there are no sketches
   int number_of_vertices = 1, number_of_faces = 1; ///< of the mesh that the strategy believes it maps
+  double work_per_map = 0;                         ///< in sweeps over the mesh, of a map or a sketch
   std::vector<double> circle_stretch = {};         ///< one per border vertex; empty: there is no map onto a circle
   std::function<std::vector<double>(int)> corner_distances = {};
 };
@@ -78,6 +79,7 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
         stretch.push_back(conditions.sketched_stretch.at(candidate));
       return stretch;
     };
+  problem.work = [&] { return conditions.work_per_map * double(evaluation.report().evaluations + sketches); };
   problem.number_of_vertices = conditions.number_of_vertices;
   problem.number_of_faces = conditions.number_of_faces;
   problem.circle_stretch = [&] { return conditions.circle_stretch; };

@@ -67,6 +67,23 @@ inline void tell_conditioning(const CGAL_ext::internal::Conditioning_report& con
     tell(conditioning.vertices_dropped, "isolated vertex was", "isolated vertices were", " dropped");
 }
 
+/// the start of a map in words
+inline std::string name_of(CGAL_ext::Map_start start)
+{
+  switch(start) {
+  case CGAL_ext::Map_start::BLENDED_WEIGHTS:
+    return "blended weights";
+  case CGAL_ext::Map_start::UNIFORM_WEIGHTS:
+    return "uniform weights";
+  case CGAL_ext::Map_start::MEAN_VALUE_WEIGHTS:
+    return "mean value weights";
+  case CGAL_ext::Map_start::FIXED_BORDER_FIRST:
+    return "fixed border first";
+  default:
+    return "as chosen";
+  }
+}
+
 /// tells what was done to the mesh, and how good its map is
 inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double total_seconds)
 {
@@ -80,6 +97,9 @@ inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double tot
     std::cerr << "the border was too short for four corners: an edge of it was split\n";
   if(result.chords_split > 0)
     std::cerr << counted(result.chords_split, "chord was split\n", "chords were split\n");
+  if(result.start != CGAL_ext::Map_start::AS_CHOSEN)
+    std::cerr << "the usual start led to no map, or to a bad one; this one began with another: "
+              << name_of(result.start) << '\n';
   std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << *result.search.best_candidate << ", "
             << result.search.evaluations << " evaluated, " << total_seconds << " s\n";
 }

@@ -5,6 +5,7 @@
 #define SQUARE_MAP_REPORT_H
 
 #include "Job.h"
+#include "messages.h"
 
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
 
@@ -108,6 +109,7 @@ inline nlohmann::ordered_json make_report(const Job& job)
   json["cut"] = cut_report(job.result.cut);
   json["strategy"] = job.line.strategy;
   json["minimizer"] = job.line.minimizer;
+  json["start"] = name_of(job.result.start);
   json["time_limit_reached"] = has_reached_time_limit(job);
   json["candidates"] = search.candidates;
   json["evaluations"] = search.evaluations;

@@ -113,8 +113,12 @@ private:
     m_queue.push({(point(to) - point(from)).squaredNorm() * triangles, from, to, m_changes[from]});
   }
 
+  bool has_large_star(int v) const { return m_star[v].size() > Minimizer_numbers::LARGEST_STAR; }
+
   void push_collapses_of(int v)
   {
+    if(has_large_star(v))
+      return;
     if(is_border(v)) {
       if(m_removable_border_vertices > 0) {
         push_collapse(v, m_next[v]);
@@ -158,8 +162,8 @@ private:
     // the corners opposite to the edge: on the border only one
     const int before = is_border(from) && place == 0 ? to : ring[(place + n - 1) % n];
     const int after = is_border(from) && place + 1 == n ? to : ring[(place + 1) % n];
-    if(is_border(from) &&
-       (m_removable_border_vertices == 0 || m_is_target[from] || m_is_target[to] || has_border_vertex_inside(ring)))
+    if(is_border(from) && (m_removable_border_vertices == 0 || m_is_target[from] || m_is_target[to] ||
+                           has_large_star(to) || has_border_vertex_inside(ring)))
       return false;
     // the two ends have no common neighbors but the opposite corners, which keep three neighbors
     for(int f : m_star[to])

@@ -35,6 +35,10 @@ struct Minimizer_numbers
   /// border vertices that are left in any case: the four corners need room between them
   static constexpr int LEAST_BORDER = 32;
 
+  /// triangles round a vertex above which it is not removed: to walk round it takes time with their square, and again
+  /// whenever one of its neighbors goes
+  static constexpr std::size_t LARGEST_STAR = 100;
+
   /// share of its shape (height over longest side) that a triangle keeps when a vertex is removed, where that allows a
   /// coarser patch. Larger: better coarse triangles, and fewer vertices that can go.
   static constexpr double SHAPE_KEPT = 0.7;
@@ -90,7 +94,7 @@ struct Minimizer_numbers
   static constexpr double LEAST_SWEEP_GAIN = 5e-4;
 
   /// sweeps over an interpolated map at most: a bound on the time; large errors need the mesh to move as a whole
-  static constexpr int MAXIMUM_SWEEPS = 200;
+  static constexpr int MAXIMUM_SWEEPS = 100;
 
   /// sweeps over the map that is delivered, which mend tiny triangles that the energy hardly sees
   static constexpr int SETTLING_SWEEPS = 5;
@@ -117,6 +121,16 @@ struct Minimizer_numbers
   /// halvings of a step: at 2^-40 the map no longer changes by more than rounding
   static constexpr int MAXIMUM_STEP_HALVINGS = 40;
 
+  /// length of a step below which it goes round the triangles that keep it short: a step that is a fiftieth of what is
+  /// wanted moves nothing but them. Larger: more factorizations, and steps that leave much to the sweep.
+  static constexpr double BLOCKED_STEP = 0.02;
+
+  /// directions that are tried to go round triangles: vertices that stay make others stand in the way
+  static constexpr int MAXIMUM_ROUNDABOUTS = 4;
+
+  /// cost of a step, as a multiple of that of a sweep; measured
+  static constexpr long STEP_WORK = 4;
+
   // --- from coarse to fine: Multilevel_minimizer ---
 
   /// balance of coarse patches, at least: pure L2 stretch tears coarse maps open elsewhere than fine ones, and a little
@@ -127,8 +141,13 @@ struct Minimizer_numbers
   /// Larger: some maps stay at a saddle point.
   static constexpr double COARSE_TOLERANCE = 1e-5;
 
-  /// steps on a coarse patch at most: a bound on the time
-  static constexpr unsigned int COARSE_ITERATIONS = 200;
+  /// steps on a coarse patch at most: a bound on the time. Most patches need fewer than 20; more than this is spent where
+  /// a map is stretched tens of times, and hardly changes the map of the finer patch.
+  static constexpr unsigned int COARSE_ITERATIONS = 60;
+
+  /// steps on the mesh itself at most while candidates for the corners are compared: a bound on the time. Fewer: maps
+  /// stretched tens of times are compared before they are comparable.
+  static constexpr unsigned int SEARCH_ITERATIONS = 20;
 
   /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
   static constexpr int LARGEST_WARM_START = 1000;
@@ -145,6 +164,14 @@ struct Minimizer_numbers
   /// energy of a coarse map above which another start is tried: a map with a stretch of a hundred is hardly ever led out
   /// of it
   static constexpr double HOPELESS = 1e4;
+
+  /// energy of a map that is to be delivered above which other starts are tried: a stretch of the order of a thousand.
+  /// Less: surfaces that are stretched a hundred times whatever one does are mapped four times.
+  static constexpr double HOPELESS_RESULT = 1e6;
+
+  /// share of the vertices of the patch to be mapped, below which a coarse patch may be given up for its energy: of
+  /// later ones most of the work is done
+  static constexpr double LARGEST_GIVEN_UP = 0.3;
 
   // --- the iteration of Yoshizawa et al.: Stretch_iteration, Flip_repair ---
 

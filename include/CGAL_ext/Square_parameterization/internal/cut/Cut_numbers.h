@@ -100,6 +100,10 @@ struct Cut_numbers
   /// faces. More: a better cut here and there, for much time.
   long growth_work = 150000;
 
+  /// the same per vertex of the surface, where that is less: small surfaces are not grown for longer than large ones.
+  /// Fewer: small surfaces get a little more stretch; more: they take seconds where their maps are slow.
+  long growth_work_per_vertex = 200;
+
   /// the same where there are many loops: see `many_loops`
   long little_growth_work = 70000;
 

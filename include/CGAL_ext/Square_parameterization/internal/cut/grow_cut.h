@@ -45,7 +45,9 @@ private:
   /// indicates whether another terminal, with all of its candidates, would be too much work, in vertices to map
   bool is_exhausted() const
   {
-    const long limit = has_many_loops(m_surface, m_numbers) ? m_numbers.little_growth_work : m_numbers.growth_work;
+    const long limit =
+        (std::min)(m_numbers.growth_work_per_vertex * m_surface.number_of_vertices(),
+                   has_many_loops(m_surface, m_numbers) ? m_numbers.little_growth_work : m_numbers.growth_work);
     const long next_terminal = 2 * m_numbers.candidates * m_pool.vertices_per_score();
     return m_pool.is_exhausted(limit - next_terminal + 1); // with it, beyond the limit
   }

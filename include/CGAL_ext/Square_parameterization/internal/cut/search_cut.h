@@ -109,7 +109,7 @@ private:
   /// a quick score of a simple copy overrates the stretch, the more the shorter the cut: so good cuts of different
   /// lengths are scored again on the surface itself, the best of them refined, and the best few judged by a search of
   /// corners and the minimization of the map that is delivered; of a disk the empty cut, too. Where one cut is much
-  /// like another the best is taken unjudged, and where maps are slow: its score is right to a percent or two, and
+  /// like another the best is taken unjudged, and where maps are slow: its score is right to a few percent, and
   /// judging takes seconds.
   /// \param tolerance relative: of scores that differ by less the shortest cut wins
   Cut decide(const Triangle_surface& surface, double tolerance)

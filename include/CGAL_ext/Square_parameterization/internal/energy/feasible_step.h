@@ -35,26 +35,31 @@ inline Free_coordinates free_coordinates(const Patch& patch, const Uv_coordinate
   return is_free;
 }
 
-/// the largest t for which no uv triangle loses its area on the way from uv to uv + t direction; infinite when none
-/// does
+/// the largest t for which the uv triangle of the vertices \p t does not lose its area on the way from uv to
+/// uv + t direction; infinite when it does not
+inline double largest_step(const std::array<int, 3>& t, const Uv_coordinates& uv, const Uv_coordinates& direction)
+{
+  const Eigen::RowVector2d a = uv.row(t[1]) - uv.row(t[0]), b = uv.row(t[2]) - uv.row(t[0]);
+  const Eigen::RowVector2d da = direction.row(t[1]) - direction.row(t[0]),
+                           db = direction.row(t[2]) - direction.row(t[0]);
+  const auto cross = [](const Eigen::RowVector2d& p, const Eigen::RowVector2d& q) {
+    return p.x() * q.y() - q.x() * p.y();
+  };
+  // twice the area is constant + linear t + quadratic t^2; its least positive root, without cancellation
+  const double quadratic = cross(da, db), linear = cross(a, db) + cross(da, b), constant = cross(a, b);
+  const double discriminant = linear * linear - 4 * quadratic * constant;
+  if(discriminant < 0 || (linear >= 0 && quadratic >= 0))
+    return std::numeric_limits<double>::infinity();
+  const double root = std::sqrt(discriminant);
+  return linear < 0 ? 2 * constant / (root - linear) : -(linear + root) / (2 * quadratic);
+}
+
+/// the same for all triangles of a patch
 inline double largest_step(const Patch& patch, const Uv_coordinates& uv, const Uv_coordinates& direction)
 {
   double largest = std::numeric_limits<double>::infinity();
-  for(const auto& t : patch.triangles) {
-    const Eigen::RowVector2d a = uv.row(t[1]) - uv.row(t[0]), b = uv.row(t[2]) - uv.row(t[0]);
-    const Eigen::RowVector2d da = direction.row(t[1]) - direction.row(t[0]),
-                             db = direction.row(t[2]) - direction.row(t[0]);
-    const auto cross = [](const Eigen::RowVector2d& p, const Eigen::RowVector2d& q) {
-      return p.x() * q.y() - q.x() * p.y();
-    };
-    // twice the area is constant + linear t + quadratic t^2; its least positive root, without cancellation
-    const double quadratic = cross(da, db), linear = cross(a, db) + cross(da, b), constant = cross(a, b);
-    const double discriminant = linear * linear - 4 * quadratic * constant;
-    if(discriminant < 0 || (linear >= 0 && quadratic >= 0))
-      continue;
-    const double root = std::sqrt(discriminant);
-    largest = (std::min)(largest, linear < 0 ? 2 * constant / (root - linear) : -(linear + root) / (2 * quadratic));
-  }
+  for(const auto& t : patch.triangles)
+    largest = (std::min)(largest, largest_step(t, uv, direction));
   return largest;
 }
 

@@ -40,24 +40,34 @@ public:
 
   const Patch& patch() const { return m_energy.patch(); }
 
-  /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`
-  void relax(Uv_coordinates& uv) const
+  /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
+  /// cost, in vertices visited.
+  long relax(Uv_coordinates& uv) const
   {
     const Free_coordinates is_free = free_coordinates(patch(), uv, is_border_sliding());
     double energy = m_energy(uv);
-    for(int i = 0; i < Minimizer_numbers::MAXIMUM_SWEEPS; ++i) {
+    int sweeps = 0;
+    for(bool gains = true; gains && sweeps < Minimizer_numbers::MAXIMUM_SWEEPS; ++sweeps) {
       m_sweep(is_free, uv);
       const double reached = m_energy(uv);
-      if(energy - reached < Minimizer_numbers::LEAST_SWEEP_GAIN * energy)
-        return;
+      gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy;
       energy = reached;
     }
+    return static_cast<long>(sweeps) * uv.rows();
+  }
+
+  /// minimises, with the largest number of iterations of the options
+  Minimized_map minimize(Minimized_map map, double tolerance, Workspace& workspace) const
+  {
+    return minimize(std::move(map), tolerance, m_options.maximum_iterations, workspace);
   }
 
   /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less
+  /// \param maximum_iterations largest number of steps, with those that the map has behind it
   /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
   ///      iterations and its history, too
-  Minimized_map minimize(Minimized_map map, double tolerance, Workspace& workspace) const
+  Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations,
+                         Workspace& workspace) const
   {
     const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
     Minimization_report& report = map.report;
@@ -65,9 +75,10 @@ public:
     report.objective = gradient_at(map.uv, is_free, workspace.gradient);
     if(report.history.empty())
       report.history.push_back(report.objective);
+    const unsigned int first_iteration = report.iterations;
     unsigned int age = 0; // of the factors
     while(true) {
-      if(report.iterations == m_options.maximum_iterations) {
+      if(report.iterations >= maximum_iterations) {
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
         break;
       }
@@ -75,11 +86,12 @@ public:
         report.stop_reason = Stop_reason::CANNOT_SOLVE;
         break;
       }
-      const double slope = find_direction(memory, workspace);
+      double slope = find_direction(memory, workspace);
       if(-slope / 2 <= tolerance * report.objective || gains_little(report.history, tolerance)) {
         report.stop_reason = Stop_reason::CONVERGED;
         break;
       }
+      const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope);
       const std::optional<double> length = search_line(report.objective, slope, map.uv, workspace);
       if(!length) {
         if(age == 0 && memory.is_empty()) {
@@ -93,8 +105,11 @@ public:
       report.objective = step(is_free, memory, map.uv, workspace);
       report.best_iteration = ++report.iterations;
       report.history.push_back(report.objective);
-      age = (age + 1) % lifetime_of_factors(report.iterations);
+      age = goes_round ? 0 : (age + 1) % lifetime_of_factors(report.iterations);
+      if(goes_round)
+        memory.clear(); // of a step that was none of the whole mesh
     }
+    map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * patch().number_of_vertices();
     report.gradient_norm = workspace.gradient.norm();
     report.l2 = std::sqrt(stretch_energy(patch(), map.uv));
     return map;
@@ -150,6 +165,39 @@ private:
       slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
     }
     return slope;
+  }
+
+  /// turns to another direction where triangles that lose their area on a small part of the way would keep the step
+  /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Returns
+  /// false when there are none; else the factors are of this direction alone.
+  bool go_round_blocked(const Free_coordinates& is_free, Secant_memory& memory, const Uv_coordinates& uv,
+                        Workspace& workspace, double& slope) const
+  {
+    Free_coordinates moves = is_free;
+    bool goes_round = false;
+    for(int i = 0; i < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && fix_blocked(uv, workspace.direction, moves); ++i) {
+      goes_round = true;
+      memory.clear();
+      if(!m_preconditioner.factorize(m_energy, uv, moves, workspace.factors))
+        break;
+      workspace.direction = moves.select(-workspace.gradient, 0.);
+      m_preconditioner.apply(workspace.factors, workspace.direction);
+      slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+    }
+    return goes_round;
+  }
+
+  /// lets the vertices of triangles that stand in the way stay; false when there are none
+  bool fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
+  {
+    bool is_any_blocked = false;
+    for(const auto& t : patch().triangles)
+      if(Minimizer_numbers::STEP_SAFETY * largest_step(t, uv, direction) < Minimizer_numbers::BLOCKED_STEP) {
+        is_any_blocked = true;
+        for(int v : t)
+          moves(v, 0) = moves(v, 1) = false;
+      }
+    return is_any_blocked;
   }
 
   /// sets the trial to a map of lower energy on the line from \p uv and returns the length of the step; none when there

@@ -11,8 +11,11 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/transport_map.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <deque>
 #include <initializer_list>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -83,9 +86,7 @@ public:
     }
     if(uv.rows() == 0)
       return Minimized_map();
-    m_minimizers[0]->relax(uv);
-    Minimized_map map =
-        m_minimizers[0]->minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[0]);
+    Minimized_map map = map_to_compare(0, std::move(uv), workspace, descent);
     map.warm_start = m_warm_level == 0 ? map.uv : std::move(descent.warm_start);
     return map;
   }
@@ -112,10 +113,7 @@ public:
     Uv_coordinates uv = start(m_patches.borders(border_uv), m_sketch_level, workspace, descent);
     if(uv.rows() == 0)
       return Minimized_map();
-    const Balanced_minimizer& minimizer = *m_minimizers[m_sketch_level];
-    minimizer.relax(uv);
-    Minimized_map map =
-        minimizer.minimize({std::move(uv), {}, {}}, m_options.search_tolerance, workspace.levels[m_sketch_level]);
+    Minimized_map map = map_to_compare(m_sketch_level, std::move(uv), workspace, descent);
     map.uv.resize(0, 2);
     return map;
   }
@@ -140,12 +138,21 @@ private:
     std::unique_ptr<Stretch_iteration> iteration;
   };
 
+  /// the minimised map of the patch of one level
+  struct Level_map
+  {
+    std::size_t level;
+    Uv_coordinates uv;
+    double energy;
+  };
+
   /// a way from coarse to fine
   struct Descent
   {
     double largest_energy = Minimizer_numbers::HOPELESS;
-    bool is_given_up = false;  ///< an energy on the way was larger
-    Uv_coordinates warm_start; ///< the map of one of the patches on the way
+    std::vector<Level_map> given_up; ///< maps whose energy was larger
+    Uv_coordinates warm_start;       ///< the map of one of the patches on the way
+    long work = 0;                   ///< in vertices visited
   };
 
   /// adds patches as long as they get coarser, and a start from the last of them
@@ -166,27 +173,33 @@ private:
     workspace.starts.resize(m_starts.size());
   }
 
-  /// a map of the patch of level \p to, from the first start that works well, or else at all; without rows when none
-  /// does
+  /// a map of the patch of level \p to, from the first start that works well, or else goes on with the best of those
+  /// that were given up; without rows when none works
   Uv_coordinates start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
                        Descent& descent) const
-  {
-    Uv_coordinates uv = first_working_start(borders, to, workspace, descent);
-    if(uv.rows() == 0 && descent.is_given_up) {
-      descent.largest_energy = std::numeric_limits<double>::infinity();
-      uv = first_working_start(borders, to, workspace, descent);
-    }
-    return uv;
-  }
-
-  Uv_coordinates first_working_start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
-                                     Descent& descent) const
   {
     Uv_coordinates uv;
     for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
       const auto& [level, iteration] = m_starts[i];
       uv = refine(level, to, iteration->minimize(borders[level].uv, 1, workspace.starts[i]).uv, borders, workspace,
                   descent);
+    }
+    return uv.rows() == 0 ? resume(to, borders, workspace, descent) : uv;
+  }
+
+  /// goes on from the maps that were given up, the best first, until one arrives
+  Uv_coordinates resume(std::size_t to, const Patch_sequence::Borders& borders, Workspace& workspace,
+                        Descent& descent) const
+  {
+    std::vector<Level_map> given_up = std::move(descent.given_up);
+    std::stable_sort(given_up.begin(), given_up.end(),
+                     [](const Level_map& a, const Level_map& b) { return a.energy < b.energy; });
+    descent.largest_energy = std::numeric_limits<double>::infinity();
+    Uv_coordinates uv;
+    for(std::size_t i = 0; i < given_up.size() && uv.rows() == 0; ++i) {
+      const std::size_t level = given_up[i].level;
+      keep_warm_start(level, given_up[i].uv, descent);
+      uv = refine(level - 1, to, insert(level, given_up[i].uv, borders), borders, workspace, descent);
     }
     return uv;
   }
@@ -197,21 +210,46 @@ private:
                         Workspace& workspace, Descent& descent) const
   {
     for(; level > to && uv.rows() > 0; --level) {
-      m_minimizers[level]->relax(uv);
+      descent.work += m_minimizers[level]->relax(uv);
       Minimized_map map = m_minimizers[level]->minimize({std::move(uv), {}, {}}, Minimizer_numbers::COARSE_TOLERANCE,
                                                         workspace.levels[level]);
-      if(map.report.objective > descent.largest_energy) {
-        descent.is_given_up = true;
+      descent.work += map.work;
+      const bool is_early = m_patches[level].number_of_vertices() <
+                            Minimizer_numbers::LARGEST_GIVEN_UP * m_patches[to].number_of_vertices();
+      if(is_early && map.report.objective > descent.largest_energy) {
+        descent.given_up.push_back({level, std::move(map.uv), map.report.objective});
         return Uv_coordinates();
       }
-      uv = std::move(map.uv);
-      if(level == m_warm_level)
-        descent.warm_start = uv;
-      auto finer = insert_vertices(m_patches[level - 1], m_patches.coarse(level), uv, borders[level].removed_corners,
-                                   m_coarse_balance);
-      uv = finer ? std::move(*finer) : Uv_coordinates();
+      keep_warm_start(level, map.uv, descent);
+      uv = insert(level, map.uv, borders);
     }
     return uv;
+  }
+
+  void keep_warm_start(std::size_t level, const Uv_coordinates& uv, Descent& descent) const
+  {
+    if(level == m_warm_level)
+      descent.warm_start = uv;
+  }
+
+  /// puts the vertices of the next finer patch back; without rows when a triangle is lost in rounding
+  Uv_coordinates insert(std::size_t level, const Uv_coordinates& uv, const Patch_sequence::Borders& borders) const
+  {
+    auto finer = insert_vertices(m_patches[level - 1], m_patches.coarse(level), uv, borders[level].removed_corners,
+                                 m_coarse_balance);
+    return finer ? std::move(*finer) : Uv_coordinates();
+  }
+
+  /// the map of the patch of a level to the tolerance of a search, made of one that is ready to be minimised
+  Minimized_map map_to_compare(std::size_t level, Uv_coordinates uv, Workspace& workspace, const Descent& descent) const
+  {
+    const Balanced_minimizer& minimizer = *m_minimizers[level];
+    const long relaxation = minimizer.relax(uv);
+    Minimized_map map = minimizer.minimize(
+        {std::move(uv), {}, {}}, m_options.search_tolerance,
+        (std::min)(m_options.maximum_iterations, Minimizer_numbers::SEARCH_ITERATIONS), workspace.levels[level]);
+    map.work += relaxation + descent.work;
+    return map;
   }
 
   Patch_sequence m_patches;

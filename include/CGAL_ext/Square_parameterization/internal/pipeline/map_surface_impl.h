@@ -12,6 +12,7 @@
 #include <CGAL_ext/Square_parameterization/internal/energy/measure.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
 
@@ -102,7 +103,43 @@ inline Corners border_positions(const std::array<int, 4>& corners, const Surface
                        : "none of " + evaluations + " evaluated" + candidates + " has a one-to-one map");
 }
 
-/// maps the patch with the given corners, or with those of a search. Throws `Unmappable` when there is no map.
+/// maps the patch with the given corners, or with those of a search
+inline Search_outcome map_from_start(const Patch& patch, const Map_minimizer& minimizer,
+                                     const std::optional<Corners>& corners, const Square_map_settings& settings)
+{
+  return corners ? map_with_corners(patch, minimizer, *corners)
+                 : search_square_map(patch, minimizer, settings.search, settings.search_options);
+}
+
+/// indicates whether the search has found no map, or one that must be the fault of its start
+inline bool is_hopeless(const Search_outcome& outcome)
+{
+  return !(outcome.map.report.objective < Minimizer_numbers::HOPELESS_RESULT);
+}
+
+/// replaces the outcome by the best from the other starts while it is hopeless
+inline void try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
+                             const Square_map_settings& settings, Search_outcome& outcome, Map_start& start)
+{
+  const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
+  if(balanced == nullptr)
+    return;
+  for(const Other_start& other : other_starts(patch, *balanced)) {
+    if(!is_hopeless(outcome) || outcome.report.is_cancelled || has_passed(settings.search_options.deadline))
+      return;
+    Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
+    const bool is_better = next.map.report.objective < outcome.map.report.objective;
+    if(is_better) {
+      next.report.is_cancelled |= outcome.report.is_cancelled;
+      outcome = std::move(next);
+      start = other.start;
+    } else
+      outcome.report.is_cancelled |= next.report.is_cancelled;
+  }
+}
+
+/// maps the patch with the given corners, or with those of a search, from the first start that leads to a good map.
+/// Throws `Unmappable` when there is no map.
 inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimizer,
                                 const std::optional<Corners>& corners, const Square_map_settings& settings,
                                 Square_map_report& report)
@@ -110,8 +147,8 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   report.search.is_cancelled = corners && has_passed(settings.search_options.deadline);
   if(report.search.is_cancelled)
     refuse_without_map(report.search);
-  Search_outcome outcome = corners ? map_with_corners(patch, minimizer, *corners)
-                                   : search_square_map(patch, minimizer, settings.search, settings.search_options);
+  Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
+  try_other_starts(patch, corners, settings, outcome, report.start);
   report.search = outcome.report;
   report.minimization = outcome.map.report;
   if(settings.search_options.visitor != nullptr)

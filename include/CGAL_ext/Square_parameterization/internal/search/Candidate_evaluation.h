@@ -112,6 +112,9 @@ public:
     return result;
   }
 
+  /// what all maps together have cost, in vertices visited
+  long work() const { return m_work; }
+
   const Minimized_map& best_map() const { return m_best_map; }
 
   /// indicates whether no candidate was mapped, and no call was cancelled
@@ -188,6 +191,7 @@ private:
     const Search_report::Sample sample{candidate, objective, map.report.l2};
     m_samples.at(candidate) = sample;
     ++m_finished;
+    m_work += map.work;
     if(objective < m_best_map.report.objective ||
        (objective == m_best_map.report.objective && candidate < m_best_candidate)) {
       m_best_candidate = candidate;
@@ -210,6 +214,7 @@ private:
   std::size_t m_finished = 0;
   std::optional<int> m_best_candidate;
   Minimized_map m_best_map;
+  long m_work = 0;
   bool m_is_cancelled = false;
 };
 

@@ -100,6 +100,10 @@ private:
     };
     if(m_sketches)
       problem.sketched_objective_of = [this](const std::vector<int>& candidates) { return (*m_sketches)(candidates); };
+    problem.work = [this] {
+      const long work = m_evaluation.work() + (m_sketches ? m_sketches->work() : 0);
+      return double(work) / m_patch.number_of_vertices();
+    };
     problem.circle_stretch = [this] { return m_minimizer.circle_stretch(); };
     problem.corner_distances = [this](int candidate) { return corner_distances(border_of(candidate).uv); };
     return problem;

@@ -4,13 +4,15 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_EAR_CLIPPING_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_EAR_CLIPPING_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/Planar_points.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <queue>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -25,51 +27,82 @@ namespace internal {
 /// CGAL's `triangulate_polygons()` does not know which diagonals are edges of other faces already, which would get a
 /// third face, and leaves polygons that it cannot split: ours splits every one.
 ///
-/// Complexity: quadratic in the number of vertices.
+/// Complexity: n log n, and for each vertex what `Planar_points` takes to see whether an ear is empty.
 class Ear_clipping
 {
 public:
   /// \param corners of the polygon, at least three
-  explicit Ear_clipping(const std::vector<Eigen::Vector3d>& corners) : m_shapes(corners)
+  explicit Ear_clipping(const std::vector<Eigen::Vector3d>& corners)
+    : m_shapes(corners), m_plane(seen_along_normal(corners, normal())), m_size(corners.size())
   {
-    const std::array<int, 2> axes = axes_across(normal());
-    for(const Eigen::Vector3d& p : corners)
-      m_plane.emplace_back(p[axes[0]], p[axes[1]]);
-    for(std::size_t k = 0; k < corners.size(); ++k)
-      m_rest.push_back(k);
-    for(std::size_t i = 0; i < corners.size(); ++i)
-      m_scores.push_back(score(i));
+    for(std::size_t k = 0; k < m_size; ++k) {
+      m_next.push_back((k + 1) % m_size);
+      m_previous.push_back((k + m_size - 1) % m_size);
+    }
+    m_changes.assign(m_size, 0);
+    for(std::size_t k = 0; k < m_size; ++k)
+      push(k);
   }
 
+  /// the number of corners that are left
+  std::size_t size() const { return m_size; }
+
   /// the corners that are left, in their order
-  const std::vector<std::size_t>& rest() const { return m_rest; }
+  std::vector<std::size_t> rest() const
+  {
+    std::vector<std::size_t> corners;
+    for(std::size_t k = 0; k < m_next.size(); ++k)
+      if(m_changes[k] != CUT_OFF)
+        corners.push_back(k);
+    return corners;
+  }
 
   /// cuts off the best ear, unless all are forbidden, and returns whether it did; then the ear is the last of the
-  /// triangles. `is_forbidden(a, b)` tells of two corners whether they must not be joined.
+  /// triangles. `is_forbidden(a, b)` tells of two corners whether they must not be joined; what is forbidden stays so.
   template <class Is_forbidden>
   bool clip(Is_forbidden is_forbidden)
   {
-    std::size_t best = m_rest.size();
-    for(std::size_t i = 0; i < m_rest.size(); ++i)
-      if((best == m_rest.size() || m_scores[i] > m_scores[best]) && !is_forbidden(at(i + m_rest.size() - 1), at(i + 1)))
-        best = i;
-    if(best == m_rest.size())
-      return false;
-    m_triangles.push_back({at(best + m_rest.size() - 1), at(best), at(best + 1)});
-    m_rest.erase(m_rest.begin() + static_cast<std::ptrdiff_t>(best));
-    m_scores.erase(m_scores.begin() + static_cast<std::ptrdiff_t>(best));
-    for(std::size_t i : {best + m_rest.size() - 1, best})
-      m_scores[i % m_rest.size()] = score(i);
-    return true;
+    while(!m_ears.empty()) {
+      const Ear ear = m_ears.top();
+      m_ears.pop();
+      const std::size_t before = m_previous[ear.corner], after = m_next[ear.corner];
+      if(ear.changes != m_changes[ear.corner] || is_forbidden(before, after))
+        continue; // not what it was: another entry follows; or of no use until a neighbor changes
+      m_triangles.push_back({before, ear.corner, after});
+      m_next[before] = after;
+      m_previous[after] = before;
+      m_changes[ear.corner] = CUT_OFF;
+      m_plane.remove(ear.corner);
+      --m_size;
+      for(std::size_t k : {before, after}) {
+        ++m_changes[k];
+        push(k);
+      }
+      return true;
+    }
+    return false;
   }
 
   /// the ears, as triples of corners
   const std::vector<std::array<std::size_t, 3>>& triangles() const { return m_triangles; }
 
 private:
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  static constexpr int CUT_OFF = -1;
 
-  std::size_t at(std::size_t i) const { return m_rest[i % m_rest.size()]; }
+  struct Ear
+  {
+    double score;
+    std::size_t corner;
+    int changes; ///< of the corner, when it was scored
+
+    /// the best comes last; of equal ones the first corner
+    bool operator<(const Ear& other) const
+    {
+      return score != other.score ? score < other.score : corner > other.corner;
+    }
+  };
+
+  void push(std::size_t corner) { m_ears.push({score(corner), corner, m_changes[corner]}); }
 
   /// the normal of the polygon, or zero; makes the corners small on the way, so that no product overflows
   Eigen::Vector3d normal()
@@ -88,6 +121,16 @@ private:
     return sum;
   }
 
+  static std::vector<Planar_points::Point> seen_along_normal(const std::vector<Eigen::Vector3d>& corners,
+                                                             const Eigen::Vector3d& normal)
+  {
+    const std::array<int, 2> axes = axes_across(normal);
+    std::vector<Planar_points::Point> points;
+    for(const Eigen::Vector3d& p : corners)
+      points.emplace_back(p[axes[0]], p[axes[1]]);
+    return points;
+  }
+
   /// the coordinates that remain when the polygon is seen along the axis nearest to its normal, in such an order that
   /// it is counter-clockwise: no rounding, and what lies on a line stays there
   static std::array<int, 2> axes_across(const Eigen::Vector3d& normal)
@@ -98,38 +141,26 @@ private:
     return normal[axis] < 0 ? std::array<int, 2>{last, next} : std::array<int, 2>{next, last};
   }
 
-  /// how good an ear the i-th corner makes: in ]0, 1] by its shape, 1 when it is equilateral; at most -1 for one that
-  /// is not convex, or not empty
-  double score(std::size_t i) const
+  /// how good an ear a corner makes: in ]0, 1] by its shape, 1 when it is equilateral; at most -1 for one that is not
+  /// convex, or not empty
+  double score(std::size_t corner) const
   {
-    const std::size_t a = at(i + m_rest.size() - 1), b = at(i), c = at(i + 1);
+    const std::size_t a = m_previous[corner], b = corner, c = m_next[corner];
     const Eigen::Vector3d ab = m_shapes[b] - m_shapes[a], bc = m_shapes[c] - m_shapes[b],
                           ca = m_shapes[a] - m_shapes[c];
     const double squares = ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm();
     const double shape = squares > 0 ? 2 * std::sqrt(3.) * ab.cross(bc).norm() / squares : 0;
     const bool is_convex = CGAL::orientation(m_plane[a], m_plane[b], m_plane[c]) == CGAL::LEFT_TURN;
-    return is_convex && is_empty(a, b, c) ? shape : (is_convex ? shape : -shape) - 2;
-  }
-
-  /// indicates whether no other corner lies in the triangle or on it, but for those in the same place as one of its own
-  bool is_empty(std::size_t a, std::size_t b, std::size_t c) const
-  {
-    const std::array<Kernel::Point_2, 3> triangle{m_plane[a], m_plane[b], m_plane[c]};
-    return std::none_of(m_rest.begin(), m_rest.end(), [&](std::size_t k) {
-      const Kernel::Point_2& p = m_plane[k];
-      if(std::find(triangle.begin(), triangle.end(), p) != triangle.end())
-        return false;
-      for(int side = 0; side < 3; ++side)
-        if(CGAL::orientation(triangle[side], triangle[(side + 1) % 3], p) == CGAL::RIGHT_TURN)
-          return false;
-      return true;
-    });
+    return is_convex && !m_plane.is_any_in({m_plane[a], m_plane[b], m_plane[c]}) ? shape
+                                                                                 : (is_convex ? shape : -shape) - 2;
   }
 
   std::vector<Eigen::Vector3d> m_shapes; // the corners, made small
-  std::vector<Kernel::Point_2> m_plane;  // the corners as they are, seen along the normal
-  std::vector<std::size_t> m_rest;
-  std::vector<double> m_scores; // of the rest
+  Planar_points m_plane;                 // the corners as they are, seen along the normal
+  std::size_t m_size;                    // of the rest
+  std::vector<std::size_t> m_next, m_previous;
+  std::vector<int> m_changes; // per corner, of its neighbors
+  std::priority_queue<Ear> m_ears;
   std::vector<std::array<std::size_t, 3>> m_triangles;
 };
 

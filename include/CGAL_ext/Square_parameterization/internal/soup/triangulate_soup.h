@@ -53,14 +53,14 @@ triangles_of_polygon(const std::vector<std::size_t>& polygon, Known_edges& edges
     corners.push_back(points[v]);
   Ear_clipping clipping(corners);
   const auto is_known = [&](std::size_t a, std::size_t b) { return edges.contains(polygon[a], polygon[b]); };
-  while(clipping.rest().size() > 3 && clipping.clip(is_known)) {
+  while(clipping.size() > 3 && clipping.clip(is_known)) {
     const auto& [a, b, c] = clipping.triangles().back();
     edges.add(polygon[a], polygon[c]);
   }
   std::vector<std::vector<std::size_t>> triangles;
   for(const auto& [a, b, c] : clipping.triangles())
     triangles.push_back({polygon[a], polygon[b], polygon[c]});
-  const std::vector<std::size_t>& rest = clipping.rest();
+  const std::vector<std::size_t> rest = clipping.rest();
   if(rest.size() == 3) {
     triangles.push_back({polygon[rest[0]], polygon[rest[1]], polygon[rest[2]]});
     return triangles;

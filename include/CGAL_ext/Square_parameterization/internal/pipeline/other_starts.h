@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_OTHER_STARTS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_OTHER_STARTS_H
+
+#include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/Square_map_result.h>
+#include <CGAL_ext/Square_parameterization/base_weights.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// a minimizer that maps with a fixed border, and lets it slide in the map that is delivered
+class Fixed_border_first_minimizer : public Map_minimizer
+{
+public:
+  Fixed_border_first_minimizer(const Patch& patch, Balanced_minimization sliding)
+    : m_sliding(make_minimizer(patch, sliding))
+  {
+    sliding.border = Border_motion::FIXED;
+    m_fixed = make_minimizer(patch, sliding);
+  }
+
+  Worker make_worker() const override { return m_fixed->make_worker(); }
+  bool has_sketches() const override { return m_fixed->has_sketches(); }
+  Worker make_sketching_worker() const override { return m_fixed->make_sketching_worker(); }
+  Minimized_map finish(Minimized_map map) const override { return m_sliding->finish(m_fixed->finish(std::move(map))); }
+  Minimized_map map_border(const Uv_coordinates& border_uv) const override { return m_fixed->map_border(border_uv); }
+  std::vector<double> circle_stretch() const override { return m_fixed->circle_stretch(); }
+
+private:
+  std::shared_ptr<const Map_minimizer> m_sliding, m_fixed;
+};
+
+/// another way to begin, and the minimizer that does
+struct Other_start
+{
+  Map_start start;
+  std::function<std::shared_ptr<const Map_minimizer>()> make_minimizer;
+};
+
+/// the starts that are left when that of the options has failed, in the order in which they are tried
+inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen)
+{
+  const auto with_weights = [&patch, chosen](const std::function<Edge_weights(const Patch&)>& weights) {
+    return [&patch, chosen, weights] {
+      Balanced_minimization minimization = chosen;
+      minimization.start.weights = weights;
+      return make_minimizer(patch, minimization);
+    };
+  };
+  std::vector<Other_start> starts{{Map_start::BLENDED_WEIGHTS, with_weights(Blended_weights())},
+                                  {Map_start::UNIFORM_WEIGHTS, with_weights(Uniform_weights())},
+                                  {Map_start::MEAN_VALUE_WEIGHTS, with_weights(Mean_value_weights())}};
+  if(chosen.border == Border_motion::SLIDING)
+    starts.push_back({Map_start::FIXED_BORDER_FIRST,
+                      [&patch, chosen] { return std::make_shared<Fixed_border_first_minimizer>(patch, chosen); }});
+  return starts;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_OTHER_STARTS_H

@@ -51,7 +51,7 @@ struct Rebuilt
   Mapped_surface map;
   std::vector<Eigen::Vector3d> points; // of the disk
   Grid_mesh mesh;
-  Topology topology;
+  Surface_topology topology;
 };
 
 Rebuilt rebuild(const Closed_mesh& closed, const Grid_size& grid)
@@ -185,7 +185,7 @@ TEST_CASE("a grid that is too small for the seams leaves the map as it is")
 TEST_CASE("what is not manifold is said to be so")
 {
   const auto topology = [](int vertices, const std::vector<std::array<int, 3>>& triangles) {
-    const Topology found = topology_of(vertices, triangles);
+    const Surface_topology found = topology_of(vertices, triangles);
     return std::array<int, 3>{found.is_closed, found.is_manifold, found.genus};
   };
   CHECK(topology(4, tetrahedron().triangles) == std::array<int, 3>{1, 1, 0});

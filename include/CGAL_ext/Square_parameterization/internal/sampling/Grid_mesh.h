@@ -157,7 +157,7 @@ private:
 };
 
 /// what a set of triangles is made of
-struct Topology
+struct Surface_topology
 {
   bool is_closed = false;   ///< every edge belongs to two triangles
   bool is_manifold = false; ///< every edge belongs to at most two, oriented alike; those of every vertex form one fan
@@ -165,9 +165,9 @@ struct Topology
 };
 
 /// \param triangles such that every vertex belongs to one
-inline Topology topology_of(std::size_t number_of_vertices, const std::vector<std::array<int, 3>>& triangles)
+inline Surface_topology topology_of(std::size_t number_of_vertices, const std::vector<std::array<int, 3>>& triangles)
 {
-  Topology topology;
+  Surface_topology topology;
   Edge_numbering numbering = number_edges(number_of_vertices, triangles);
   const auto& uses = numbering.number_of_triangles;
   topology.is_closed = std::all_of(uses.begin(), uses.end(), [](int n) { return n == 2; });

@@ -117,15 +117,17 @@ inline nlohmann::ordered_json distance_report(const Surface_distance& distance, 
 }
 
 /// how well the samples stand for the surface, and what the mesh rebuilt from them is
-inline nlohmann::ordered_json image_report(const Geometry_image& image, const Flat_map& map)
+inline nlohmann::ordered_json image_report(const Geometry_image& image, const Flat_map& map,
+                                           unsigned int number_of_threads)
 {
   std::vector<Eigen::Vector3d> points;
   for(std::size_t sample : image.mesh.samples)
     points.push_back(image.points[sample]);
   const auto& triangles = image.mesh.triangles;
   const double diagonal = image.box.diagonal().norm();
-  const Surface_distance to_image = distance_to(points, triangles, map.points, map.triangles);
-  const Surface_distance from_image = distance_to(map.points, map.triangles, points, triangles);
+  const Triangles surface{map.points, map.triangles}, rebuilt{points, triangles};
+  const Surface_distance to_image = distance_to(rebuilt, surface, number_of_threads);
+  const Surface_distance from_image = distance_to(surface, rebuilt, number_of_threads);
   const auto topology = CGAL_ext::internal::topology_of(points.size(), triangles);
   return {{"width", image.size.width},
           {"height", image.size.height},
@@ -157,7 +159,8 @@ inline nlohmann::ordered_json make_report(const Job& job)
   json["sketches"] = search.sketches;
   json["best"] = best_map_report(job);
   if(job.image)
-    json["image"] = image_report(*job.image, *job.flat);
+    json["image"] = image_report(*job.image, *job.flat,
+                                 static_cast<unsigned int>(job.line.options.search_options.number_of_threads));
   json["curve"] = nlohmann::ordered_json::array();
   for(const auto& sample : search.curve)
     json["curve"].push_back(

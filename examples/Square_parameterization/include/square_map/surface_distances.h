@@ -18,12 +18,19 @@ struct Surface_distance
   double hausdorff = 0; ///< the largest distance
 };
 
-/// the distances of one surface from another in space: of its vertices and of the centroids of its triangles, by CGAL's
-/// tree of boxes. Complexity: about linear, times the logarithm of the other's triangles.
-Surface_distance distance_to(const std::vector<Eigen::Vector3d>& other_points,
-                             const std::vector<std::array<int, 3>>& other_triangles,
-                             const std::vector<Eigen::Vector3d>& points,
-                             const std::vector<std::array<int, 3>>& triangles);
+/// a surface as flat arrays
+struct Triangles
+{
+  const std::vector<Eigen::Vector3d>& points;
+  const std::vector<std::array<int, 3>>& triangles;
+};
+
+/// how far a surface lies from another: its vertices and the centroids of its triangles, by CGAL's tree of boxes
+/// \param other the surface to which distances are taken; at least one triangle
+/// \param number_of_threads 0 for all cores; the result is the same for any number
+///
+/// Complexity: about linear in the points, times the logarithm of the other's triangles.
+Surface_distance distance_to(const Triangles& other, const Triangles& surface, unsigned int number_of_threads);
 
 } // namespace square_map
 

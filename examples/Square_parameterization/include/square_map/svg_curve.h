@@ -15,6 +15,12 @@
 
 namespace square_map {
 
+/// how many significant digits two positive numbers need to differ in the last two
+inline int digits_to_tell_apart(double low, double high)
+{
+  return (std::clamp)(static_cast<int>(std::ceil(std::log10(high / (high - low)))) + 2, 3, 9);
+}
+
 /// the curve of the objective over the candidates: those that were mapped, joined by lines, and the best of them
 inline void write_curve(std::ostream& stream, const Job& job)
 {
@@ -49,7 +55,7 @@ inline void write_curve(std::ostream& stream, const Job& job)
              << (is_best ? 6 : radius) << "' fill='" << (is_best ? "#d55e00" : "#0072b2") << "'/>\n";
     }
   for(double objective : {low, high})
-    write_text(stream, LEFT - 6, y(objective) + 4, "end", rounded(objective));
+    write_text(stream, LEFT - 6, y(objective) + 4, "end", rounded(objective, digits_to_tell_apart(low, high)));
   write_text(stream, LEFT, BOTTOM + 22, "middle", "0");
   write_text(stream, RIGHT, BOTTOM + 22, "middle", std::to_string(search.candidates - 1));
   write_text(stream, (LEFT + RIGHT) / 2, BOTTOM + 38, "middle",

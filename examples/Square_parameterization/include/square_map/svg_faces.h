@@ -29,11 +29,11 @@ struct Svg_square
   double y(double v) const { return top + (1 - v) * size; }
 };
 
-/// three significant digits
-inline std::string rounded(double x)
+/// a number with few significant digits
+inline std::string rounded(double x, int digits = 3)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
   return text;
 }
 
@@ -60,7 +60,7 @@ inline void write_faces_as_paths(std::ostream& stream, const Flat_map& map, cons
   }
   // a thin stroke closes the gaps that programs leave between neighbors
   stream << "<g transform='translate(" << square.left << ' ' << square.y(0) << ") scale(" << 1 / UNITS << ' '
-         << -1 / UNITS << ")' stroke-width='15' stroke-linejoin='round'>\n";
+         << -1 / UNITS << ")' stroke-width='25' stroke-linejoin='round'>\n";
   for(int level = 0; level < Stretch_colors::LEVELS; ++level)
     if(!paths[level].empty()) {
       const std::string color = hexadecimal(Stretch_colors::color(level));

@@ -18,7 +18,7 @@
 
 namespace square_map {
 
-/// writes the surface that is rebuilt from the samples, in the format of \p extension: obj, off, ply or stl (binary)
+/// writes the surface that is rebuilt from the samples, in the format of \p extension: obj, off, ply or stl (both binary)
 inline void write_grid_mesh(std::ostream& stream, const Geometry_image& image, const std::string& extension)
 {
   if(extension == "stl") {
@@ -38,8 +38,10 @@ inline void write_grid_mesh(std::ostream& stream, const Geometry_image& image, c
     CGAL::IO::write_OBJ(stream, points, image.mesh.triangles, precision);
   else if(extension == "off")
     CGAL::IO::write_OFF(stream, points, image.mesh.triangles, precision);
-  else
+  else {
+    CGAL::IO::set_binary_mode(stream);
     CGAL::IO::write_PLY(stream, points, image.mesh.triangles, precision);
+  }
 }
 
 } // namespace square_map

@@ -28,7 +28,7 @@ inline void write_legend(std::ostream& stream, const Stretch_colors& colors, con
     stream << "<path d='M" << X + WIDTH << ' ' << y << "h5' stroke='#222'/>";
     write_text(stream, X + WIDTH + 9, y + 4, "start", rounded(colors.stretch_at(share)));
   }
-  write_text(stream, X, square.top - 14, "start", "L2 stretch of faces");
+  write_text(stream, X, 26, "start", "L2 stretch of faces");
 }
 
 /// writes a picture of the map: the faces in the colors of their stretch, the corners with their vertices in the file,

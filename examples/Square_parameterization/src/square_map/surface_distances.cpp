@@ -4,6 +4,8 @@
 #include "../../include/square_map/surface_distances.h"
 
 #include <CGAL/AABB_tree.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 #if __has_include(<CGAL/AABB_traits_3.h>)
 #include <CGAL/AABB_traits_3.h>
@@ -18,6 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
 
 namespace square_map {
 
@@ -37,35 +42,49 @@ Kernel::Point_3 cgal_point(const Eigen::Vector3d& p)
   return {p.x(), p.y(), p.z()};
 }
 
+/// the squared distance of each point from the surface of a tree. The points of a mesh come near one another: the
+/// nearest point of each is a hint for the next. Parts of fixed size make the result the same for any number of threads.
+std::vector<double> squared_distances(const std::vector<Eigen::Vector3d>& points, const Tree& tree,
+                                      CGAL_ext::internal::Thread_team& team)
+{
+  constexpr std::size_t PART = 4096;
+  std::vector<double> distances(points.size());
+  team((points.size() + PART - 1) / PART, [&](std::size_t part) {
+    Kernel::Point_3 nearest = tree.any_reference_point_and_id().first;
+    for(std::size_t k = part * PART; k < (std::min)((part + 1) * PART, points.size()); ++k) {
+      nearest = tree.closest_point(cgal_point(points[k]), nearest);
+      distances[k] = CGAL::squared_distance(cgal_point(points[k]), nearest);
+    }
+  });
+  return distances;
+}
+
 } // namespace
 
-Surface_distance distance_to(const std::vector<Eigen::Vector3d>& other_points,
-                             const std::vector<std::array<int, 3>>& other_triangles,
-                             const std::vector<Eigen::Vector3d>& points,
-                             const std::vector<std::array<int, 3>>& triangles)
+Surface_distance distance_to(const Triangles& other, const Triangles& surface, unsigned int number_of_threads)
 {
   std::vector<Kernel::Triangle_3> others;
-  for(const auto& [a, b, c] : other_triangles)
-    others.emplace_back(cgal_point(other_points[a]), cgal_point(other_points[b]), cgal_point(other_points[c]));
+  for(const auto& [a, b, c] : other.triangles)
+    others.emplace_back(cgal_point(other.points[a]), cgal_point(other.points[b]), cgal_point(other.points[c]));
   Tree tree(others.begin(), others.end());
-  tree.accelerate_distance_queries();
+  tree.build();
+  CGAL_ext::internal::Thread_team team(number_of_threads, std::numeric_limits<int>::max());
+  std::vector<Eigen::Vector3d> centroids;
+  for(const auto& [a, b, c] : surface.triangles)
+    centroids.push_back((surface.points[a] + surface.points[b] + surface.points[c]) / 3);
+  const std::vector<double> at_vertices = squared_distances(surface.points, tree, team);
+  const std::vector<double> at_centroids = squared_distances(centroids, tree, team);
 
   double sum = 0, area = 0, largest = 0;
-  Kernel::Point_3 hint = others.front().vertex(0); // near the next point, for the points of a mesh are
-  const auto squared_distance = [&](const Eigen::Vector3d& p) {
-    hint = tree.closest_point(cgal_point(p), hint);
-    const double squared = CGAL::squared_distance(cgal_point(p), hint);
-    largest = (std::max)(largest, squared);
-    return squared;
-  };
-  std::vector<double> at_vertices;
-  for(const Eigen::Vector3d& p : points)
-    at_vertices.push_back(squared_distance(p));
-  for(const auto& [a, b, c] : triangles) {
-    const double face_area = (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
-    const double centroid = squared_distance((points[a] + points[b] + points[c]) / 3);
-    // exact for what is quadratic on the triangle and without its linear part: three quarters are the centroid's
-    sum += face_area * (0.75 * centroid + (at_vertices[a] + at_vertices[b] + at_vertices[c]) / 12);
+  for(const auto& distances : {std::cref(at_vertices), std::cref(at_centroids)})
+    for(double squared : distances.get())
+      largest = (std::max)(largest, squared);
+  for(std::size_t f = 0; f < surface.triangles.size(); ++f) {
+    const auto& [a, b, c] = surface.triangles[f];
+    const Eigen::Vector3d &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
+    const double face_area = (q - p).cross(r - p).norm() / 2;
+    // exact for polynomials of degree two
+    sum += face_area * (0.75 * at_centroids[f] + (at_vertices[a] + at_vertices[b] + at_vertices[c]) / 12);
     area += face_area;
   }
   return {area > 0 ? std::sqrt(sum / area) : 0, std::sqrt(largest)};

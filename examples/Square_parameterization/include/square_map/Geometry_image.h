@@ -66,12 +66,12 @@ inline Eigen::Vector3d interpolated_point(const Geometry_image& image, double u,
   return (1 - t) * ((1 - s) * point(0, 0) + s * point(1, 0)) + t * ((1 - s) * point(0, 1) + s * point(1, 1));
 }
 
-/// the root mean square of the distances between the vertices and the image at their places
-inline double rms_error_at_vertices(const Geometry_image& image, const Flat_map& map)
+/// the root mean square of the distances between the vertices and the image at their places, in \p units
+inline double rms_error_at_vertices(const Geometry_image& image, const Flat_map& map, double units)
 {
   double sum = 0;
   for(std::size_t v = 0; v < map.points.size(); ++v)
-    sum += (interpolated_point(image, map.uv(v, 0), map.uv(v, 1)) - map.points[v]).squaredNorm();
+    sum += ((interpolated_point(image, map.uv(v, 0), map.uv(v, 1)) - map.points[v]) / units).squaredNorm();
   return std::sqrt(sum / static_cast<double>(map.points.size()));
 }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace square_map {
@@ -110,32 +111,40 @@ inline nlohmann::ordered_json numbers(const Eigen::Vector3d& x)
   return {x.x(), x.y(), x.z()};
 }
 
-/// the distances of one surface from another, in diagonals of the box
-inline nlohmann::ordered_json distance_report(const Surface_distance& distance, double diagonal)
+inline nlohmann::ordered_json distance_report(const Surface_distance& distance)
 {
-  return {{"rms", distance.rms / diagonal}, {"hausdorff", distance.hausdorff / diagonal}};
+  return {{"rms", distance.rms}, {"hausdorff", distance.hausdorff}};
 }
 
-/// how well the samples stand for the surface, and what the mesh rebuilt from them is
+/// points in diagonals of a box, from its center
+inline std::vector<Eigen::Vector3d> in_box(std::vector<Eigen::Vector3d> points, const Eigen::AlignedBox3d& box)
+{
+  const Eigen::Vector3d center = box.min() / 2 + box.max() / 2;
+  const double diagonal = box.diagonal().stableNorm();
+  for(Eigen::Vector3d& p : points)
+    p = (p - center) / diagonal;
+  return points;
+}
+
+/// how well the samples stand for the surface, in diagonals of its box, and what the mesh rebuilt from them is
 inline nlohmann::ordered_json image_report(const Geometry_image& image, const Flat_map& map,
                                            unsigned int number_of_threads)
 {
-  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> samples;
   for(std::size_t sample : image.mesh.samples)
-    points.push_back(image.points[sample]);
-  const auto& triangles = image.mesh.triangles;
-  const double diagonal = image.box.diagonal().norm();
-  const Triangles surface{map.points, map.triangles}, rebuilt{points, triangles};
+    samples.push_back(image.points[sample]);
+  const auto points = in_box(map.points, image.box), image_points = in_box(std::move(samples), image.box);
+  const Triangles surface{points, map.triangles}, rebuilt{image_points, image.mesh.triangles};
   const Surface_distance to_image = distance_to(rebuilt, surface, number_of_threads);
   const Surface_distance from_image = distance_to(surface, rebuilt, number_of_threads);
-  const auto topology = CGAL_ext::internal::topology_of(points.size(), triangles);
+  const auto topology = CGAL_ext::internal::topology_of(image_points.size(), image.mesh.triangles);
   return {{"width", image.size.width},
           {"height", image.size.height},
           {"box", {{"min", numbers(image.box.min())}, {"max", numbers(image.box.max())}}},
-          {"rms_error", rms_error_at_vertices(image, map) / diagonal},
-          {"hausdorff_error", (std::max)(to_image.hausdorff, from_image.hausdorff) / diagonal},
-          {"surface_to_image", distance_report(to_image, diagonal)},
-          {"image_to_surface", distance_report(from_image, diagonal)},
+          {"rms_error", rms_error_at_vertices(image, map, image.box.diagonal().stableNorm())},
+          {"hausdorff_error", (std::max)(to_image.hausdorff, from_image.hausdorff)},
+          {"surface_to_image", distance_report(to_image)},
+          {"image_to_surface", distance_report(from_image)},
           {"is_closed", topology.is_closed},
           {"is_manifold", topology.is_manifold},
           {"genus", topology.is_manifold ? nlohmann::ordered_json(topology.genus) : nlohmann::ordered_json(nullptr)}};

@@ -63,6 +63,11 @@ public:
                     const std::vector<std::size_t>& welded)
     : m_grid(grid), m_points(points), m_vertices(welded.size(), -1)
   {
+    double extent = 0;
+    for(const Eigen::Vector3d& p : points)
+      extent = (std::max)(extent, p.cwiseAbs().maxCoeff());
+    if(extent > 0)
+      m_scale = 1 / extent;
     for(int j : {0, grid.height - 1})
       for(int i : {0, grid.width - 1}) {
         const std::size_t beside = sample(i == 0 ? 1 : i - 1, j), above = sample(i, j == 0 ? 1 : j - 1);
@@ -101,6 +106,11 @@ private:
     return i == 0 || j == 0 || i + 2 == m_grid.width || j + 2 == m_grid.height;
   }
 
+  double squared_length(std::size_t a, std::size_t b) const
+  {
+    return ((m_points[a] - m_points[b]) * m_scale).squaredNorm();
+  }
+
   bool is_folded(int i, int j) const
   {
     return !m_folded.empty() && (m_folded.count(sample(i, j)) != 0 || m_folded.count(sample(i + 1, j)) != 0 ||
@@ -125,7 +135,7 @@ private:
     const std::size_t a = sample(i, j), b = sample(i + 1, j), c = sample(i + 1, j + 1), d = sample(i, j + 1);
     if(is_folded(i, j))
       return;
-    bool is_ac = (m_points[a] - m_points[c]).squaredNorm() <= (m_points[b] - m_points[d]).squaredNorm();
+    bool is_ac = squared_length(a, c) <= squared_length(b, d);
     if(is_beside_border(i, j)) {
       const auto is_possible = [this](const Edge& diagonal) {
         return diagonal.first != diagonal.second && m_edges.count(diagonal) == 0;
@@ -150,6 +160,7 @@ private:
 
   const Grid_size m_grid;
   const std::vector<Eigen::Vector3d>& m_points;
+  double m_scale = 1;             // the square of no length times it overflows or vanishes
   std::vector<int> m_vertices;    // per sample
   std::set<std::size_t> m_folded; // corners of the grid at which seams end
   std::set<Edge> m_edges;         // that are at the border, or beside it

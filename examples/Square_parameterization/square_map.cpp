@@ -61,6 +61,7 @@ void add_image_outputs(const Job& job, Output_set& outputs)
                                                          : png_file(point_picture_in_box(*job.image)));
   });
   outputs.add(job.line.normal_map, [&job](std::ostream& stream) { stream << png_file(normal_picture(*job.image)); });
+  outputs.add(job.line.attributes, [&job](std::ostream& stream) { stream << png_file(color_picture(*job.image)); });
   outputs.add(job.line.grid_mesh, [&job](std::ostream& stream) {
     write_grid_mesh(stream, *job.image, output_extension(job.line.grid_mesh));
   });
@@ -91,19 +92,38 @@ void read_texture(Job& job)
     job.texture = texture_file(job.line.texture);
 }
 
+/// the colors of the vertices of the cut mesh, made of those of the file
+Vertex_colors flat_colors(const Job& job)
+{
+  std::vector<std::optional<Eigen::Vector3d>> conditioned(job.uncut_vertices), colors(job.flat->points.size());
+  for(std::size_t v = 0; v < job.input_colors.size(); ++v)
+    if(const std::size_t kept = conditioned_vertex(v, job.conditioning);
+       kept != CGAL_ext::internal::Conditioning_report::DROPPED)
+      conditioned[kept] = job.input_colors[v];
+  for(std::size_t v = 0; v < job.originals.size(); ++v)
+    colors[v] = conditioned[job.originals[v]];
+  return completed_colors(std::move(colors), job.flat->points, job.flat->triangles);
+}
+
 /// makes what the outputs are made of: the map as arrays, and the samples
 void sample_map(Job& job)
 {
   const Command_line& line = job.line;
   if(makes_image(line) || !line.svg.empty() || output_extension(line.output) == "glb")
     job.flat = flat_map(job.mesh, job.uv, job.originals);
+  if(!line.attributes.empty())
+    job.flat->colors = flat_colors(job);
   if(makes_image(line))
     job.image = make_geometry_image(*job.flat, *line.resolution, job.result.seam_samples);
 }
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
 {
-  CGAL_ext::internal::Surface_soup soup = read_soup(job.line.input, job.line.input_format, &job.passed_over);
+  const bool wants_colors = !job.line.attributes.empty();
+  CGAL_ext::internal::Surface_soup soup =
+      read_soup(job.line.input, job.line.input_format, &job.passed_over, wants_colors ? &job.input_colors : nullptr);
+  if(wants_colors && job.input_colors.empty())
+    throw Malformed_file("'" + job.line.input + "' has no colors of its vertices, which --attributes needs");
   check_well_formed(soup, job.line.input);
   job.input_vertices = soup.points.size();
   job.input_faces = soup.faces.size();

@@ -26,6 +26,7 @@ struct Flat_map
   CGAL_ext::internal::Uv_coordinates uv;     ///< #V by 2
   std::vector<int> originals;                ///< #V, the vertex of the uncut surface; itself for one that was added
   std::vector<Eigen::Vector3d> normals;      ///< #V, the same on both sides of a seam
+  Vertex_colors colors;                      ///< #V, the same on both sides of a seam; empty unless asked for
 
   Eigen::AlignedBox3d box() const
   {

@@ -24,6 +24,7 @@ struct Geometry_image
 {
   CGAL_ext::Grid_size size;
   std::vector<Eigen::Vector3d> points, normals;
+  Vertex_colors colors;               ///< empty when the map has none
   Eigen::AlignedBox3d box;            ///< of the surface
   CGAL_ext::internal::Grid_mesh mesh; ///< rebuilt from the points
 
@@ -36,15 +37,19 @@ inline Geometry_image make_geometry_image(const Flat_map& map, const CGAL_ext::G
                                           const std::vector<std::array<int, 2>>& seam_samples)
 {
   using namespace CGAL_ext::internal;
-  Geometry_image image{size, {}, {}, map.box(), {}};
+  Geometry_image image{size, {}, {}, {}, map.box(), {}};
   for(const auto& [f, weights] : locate_samples(map.triangles, map.uv, size)) {
     image.points.push_back(interpolated(map.points, map.triangles[f], weights));
     image.normals.push_back(sample_normal(map.normals, map.points, map.triangles[f], weights));
+    if(!map.colors.empty())
+      image.colors.push_back(interpolated(map.colors, map.triangles[f], weights));
   }
   const std::vector<std::size_t> welded = welded_samples(size, seam_samples);
   for(std::size_t s = 0; s < welded.size(); ++s) {
     image.points[s] = Eigen::Vector3d(image.points[welded[s]]);
     image.normals[s] = Eigen::Vector3d(image.normals[welded[s]]);
+    if(!image.colors.empty())
+      image.colors[s] = Eigen::Vector3d(image.colors[welded[s]]);
   }
   image.mesh = Grid_mesh_builder(size, image.points, welded)();
   return image;
@@ -113,15 +118,25 @@ inline Picture<float> point_picture(const Geometry_image& image)
   });
 }
 
+/// three numbers from 0 to 1 in 8 bits each; others are moved there
+inline Color color_of(const Eigen::Vector3d& x)
+{
+  Color pixel{};
+  for(int c = 0; c < 3; ++c)
+    pixel[c] = static_cast<std::uint8_t>(std::lround(255 * (x[c] > 0 ? (std::min)(x[c], 1.) : 0)));
+  return pixel;
+}
+
 /// normals in the coordinates of the surface: -1 is 0, and 1 is 255
 inline Picture<std::uint8_t> normal_picture(const Geometry_image& image)
 {
-  return picture_of_samples<std::uint8_t>(image.size, [&image](std::size_t s) {
-    Color pixel{};
-    for(int c = 0; c < 3; ++c)
-      pixel[c] = static_cast<std::uint8_t>(std::lround(255 * (image.normals[s][c] + 1) / 2));
-    return pixel;
-  });
+  return picture_of_samples<std::uint8_t>(
+      image.size, [&image](std::size_t s) { return color_of((image.normals[s] + Eigen::Vector3d::Ones()) / 2); });
+}
+
+inline Picture<std::uint8_t> color_picture(const Geometry_image& image)
+{
+  return picture_of_samples<std::uint8_t>(image.size, [&image](std::size_t s) { return color_of(image.colors[s]); });
 }
 
 } // namespace square_map

@@ -57,6 +57,7 @@ struct Job
   Command_line line;
   Passed_over passed_over; ///< of the file
   std::size_t input_vertices = 0, input_faces = 0;
+  Vertex_colors input_colors; ///< of the vertices of the file; empty unless asked for
   CGAL_ext::internal::Conditioning_report conditioning;
   Mesh mesh;                                ///< conditioned, later cut and with split chords
   std::size_t uncut_vertices = 0;           ///< of the conditioned mesh

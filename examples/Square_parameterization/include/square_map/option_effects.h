@@ -15,7 +15,7 @@ namespace square_map {
 /// indicates whether anything is made of samples
 inline bool makes_image(const Command_line& line)
 {
-  return !line.image.empty() || !line.normal_map.empty() || !line.grid_mesh.empty();
+  return !line.image.empty() || !line.normal_map.empty() || !line.attributes.empty() || !line.grid_mesh.empty();
 }
 
 /// the extension of the name of an output, in lower case; empty when it has none
@@ -52,7 +52,7 @@ inline std::vector<Effect> effects()
        "has no effect beside --seams",
        [](const Command_line& line) { return line.seams.empty(); }},
       {{"resolution"},
-       "goes with --image, --normal-map or --grid-mesh",
+       "goes with --image, --normal-map, --attributes or --grid-mesh",
        [](const Command_line& line) { return makes_image(line); }},
       {{"texture"},
        "goes with an output .glb or .obj",

@@ -24,7 +24,7 @@ struct Command_line
 {
   bool wants_help = false, wants_version = false;
   std::string help;
-  std::string input, input_format, output, json, seams, texture, svg, image, normal_map, grid_mesh;
+  std::string input, input_format, output, json, seams, texture, svg, image, normal_map, attributes, grid_mesh;
   std::optional<CGAL_ext::Grid_size> resolution; // none: the default, which the surface tells
   std::string strategy, minimizer = "optimal";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
@@ -62,10 +62,12 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("image", po::value(&line.image)->value_name("FILE"),
       "the geometry image: .png, 16 bits in the bounding box, or .exr, 32-bit floating-point");
   add("normal-map", po::value(&line.normal_map)->value_name("FILE"), "the normals of the samples: .png");
+  add("attributes", po::value(&line.attributes)->value_name("FILE"),
+      "the colors of the vertices of the file at the samples: .png");
   add("grid-mesh", po::value(&line.grid_mesh)->value_name("FILE"),
       "the surface rebuilt from the samples: .obj, .off, .ply or .stl");
   add("resolution", po::value(&given.resolution)->value_name("N|WxH"),
-      "samples of the image, the normal map and the grid mesh; by default four a vertex");
+      "samples of the image, the normal map, the attributes and the grid mesh; by default four a vertex");
   add("svg", po::value(&line.svg)->value_name("FILE"),
       "picture of the map: faces in the colors of their stretch, corners, seams and the curve of the candidates");
   add("input-format", po::value(&line.input_format)->value_name("NAME"),

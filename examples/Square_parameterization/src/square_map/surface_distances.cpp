@@ -21,12 +21,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace square_map {
 
 namespace {
+
+constexpr std::size_t MOST_TRIANGLES = 50000; // of a larger surface every third is asked, every fifth, and so on
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef std::vector<Kernel::Triangle_3>::const_iterator Triangle_iterator;
@@ -69,24 +71,24 @@ Surface_distance distance_to(const Triangles& other, const Triangles& surface, u
   Tree tree(others.begin(), others.end());
   tree.build();
   CGAL_ext::internal::Thread_team team(number_of_threads, std::numeric_limits<int>::max());
-  std::vector<Eigen::Vector3d> centroids;
-  for(const auto& [a, b, c] : surface.triangles)
-    centroids.push_back((surface.points[a] + surface.points[b] + surface.points[c]) / 3);
-  const std::vector<double> at_vertices = squared_distances(surface.points, tree, team);
-  const std::vector<double> at_centroids = squared_distances(centroids, tree, team);
-
-  double sum = 0, area = 0, largest = 0;
-  for(const auto& distances : {std::cref(at_vertices), std::cref(at_centroids)})
-    for(double squared : distances.get())
-      largest = (std::max)(largest, squared);
-  for(std::size_t f = 0; f < surface.triangles.size(); ++f) {
+  const std::size_t stride = surface.triangles.size() / MOST_TRIANGLES | 1; // odd: a grid has two triangles a square
+  std::vector<Eigen::Vector3d> points;                                      // three corners and the centroid of each
+  std::vector<double> areas;
+  for(std::size_t f = 0; f < surface.triangles.size(); f += stride) {
     const auto& [a, b, c] = surface.triangles[f];
     const Eigen::Vector3d &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
-    const double face_area = (q - p).cross(r - p).norm() / 2;
-    // exact for polynomials of degree two
-    sum += face_area * (0.75 * at_centroids[f] + (at_vertices[a] + at_vertices[b] + at_vertices[c]) / 12);
-    area += face_area;
+    points.insert(points.end(), {p, q, r, (p + q + r) / 3});
+    areas.push_back((q - p).cross(r - p).norm() / 2);
   }
+  const std::vector<double> squared = squared_distances(points, tree, team);
+
+  double sum = 0;
+  for(std::size_t k = 0; k < areas.size(); ++k) { // exact for polynomials of degree two
+    const double *const corners = &squared[4 * k], centroid = corners[3];
+    sum += areas[k] * ((corners[0] + corners[1] + corners[2]) / 12 + 0.75 * centroid);
+  }
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.);
+  const double largest = *std::max_element(squared.begin(), squared.end());
   return {area > 0 ? std::sqrt(sum / area) : 0, std::sqrt(largest)};
 }
 

@@ -6,7 +6,9 @@
 
 #include "write_map.h"
 
+#include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/vertex_normals.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
 
 #include <Eigen/Geometry>
 

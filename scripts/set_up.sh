@@ -7,6 +7,7 @@ packages=(
   g++ cmake ninja-build
   libcgal-dev libeigen3-dev libboost-dev               # the library
   libboost-program-options-dev nlohmann-json3-dev      # the command
+  libpng-dev libtinyexr-dev libtinygltf-dev            # its pictures and textured files
   libcgal-demo                                         # real meshes
 )
 # what only some scripts need is named by them

@@ -8,6 +8,9 @@
 #include "include/square_map/report.h"
 #include "include/square_map/signals.h"
 #include "include/square_map/spare_address_space.h"
+#include "include/square_map/write_glb.h"
+#include "include/square_map/write_grid_mesh.h"
+#include "include/square_map/write_svg.h"
 
 #include <CGAL/version_macros.h>
 
@@ -29,23 +32,98 @@ enum Exit_status
   NO_ONE_TO_ONE_MAP = 5
 };
 
-/// adds the outputs that the command line names, the map first: the report tells how long it took to write
+/// writes the map that `-o` names
+void write_output(std::ostream& stream, Job& job)
+{
+  const Command_line& line = job.line;
+  const std::string extension = output_extension(line.output);
+  if(extension == "glb")
+    write_glb(stream, job.flat->points, job.flat->normals, job.flat->uv, job.flat->triangles, job.texture);
+  else
+    write_map(stream, job.mesh, job.uv, job.originals, extension,
+              has_material(line) ? std::filesystem::path(beside(line.output, ".mtl")).filename().string() : "");
+}
+
+/// adds the material of an OBJ file and its picture; one that is there already stays
+void add_material(const Job& job, Output_set& outputs)
+{
+  const std::string picture = beside(job.line.output, ".png");
+  outputs.add(beside(job.line.output, ".mtl"), [picture](std::ostream& stream) { write_material(stream, picture); });
+  if(!is_same_file(job.line.texture, picture))
+    outputs.add(picture, [&job](std::ostream& stream) { stream << job.texture; });
+}
+
+/// adds what is made of samples
+void add_image_outputs(const Job& job, Output_set& outputs)
+{
+  outputs.add(job.line.image, [&job](std::ostream& stream) {
+    stream << (output_extension(job.line.image) == "exr" ? exr_file(point_picture(*job.image))
+                                                         : png_file(point_picture_in_box(*job.image)));
+  });
+  outputs.add(job.line.normal_map, [&job](std::ostream& stream) { stream << png_file(normal_picture(*job.image)); });
+  outputs.add(job.line.attributes, [&job](std::ostream& stream) { stream << png_file(color_picture(*job.image)); });
+  outputs.add(job.line.grid_mesh, [&job](std::ostream& stream) {
+    write_grid_mesh(stream, *job.image, output_extension(job.line.grid_mesh));
+  });
+}
+
+/// adds the outputs that the command line names, the report last: it tells how long the others took to write
 void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
 {
-  outputs.add(job.line.output, [&job](std::ostream& stream) {
-    write_map(stream, job.mesh, job.uv, job.originals, extension_of(job.line.output));
-  });
+  outputs.add(job.line.output, [&job](std::ostream& stream) { write_output(stream, job); });
+  if(has_material(job.line))
+    add_material(job, outputs);
+  add_image_outputs(job, outputs);
+  outputs.add(job.line.svg, [&job](std::ostream& stream) { write_svg(stream, *job.flat, job); });
   outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
+    nlohmann::ordered_json report = make_report(job); // measuring the image takes time, too
     job.seconds.write = watch.total() - job.seconds.total;
     job.seconds.total = watch.total();
+    report["seconds"] = timing_report(job.seconds);
     // a file name need not be UTF-8
-    stream << make_report(job).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+    stream << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   });
+}
+
+/// reads the texture, where there is to be one
+void read_texture(Job& job)
+{
+  if(output_extension(job.line.output) == "glb" || has_material(job.line))
+    job.texture = texture_file(job.line.texture);
+}
+
+/// the colors of the vertices of the cut mesh, made of those of the file
+Vertex_colors flat_colors(const Job& job)
+{
+  std::vector<std::optional<Eigen::Vector3d>> conditioned(job.uncut_vertices), colors(job.flat->points.size());
+  for(std::size_t v = 0; v < job.input_colors.size(); ++v)
+    if(const std::size_t kept = conditioned_vertex(v, job.conditioning);
+       kept != CGAL_ext::internal::Conditioning_report::DROPPED)
+      conditioned[kept] = job.input_colors[v];
+  for(std::size_t v = 0; v < job.originals.size(); ++v)
+    colors[v] = conditioned[job.originals[v]];
+  return completed_colors(std::move(colors), job.flat->points, job.flat->triangles);
+}
+
+/// makes what the outputs are made of: the map as arrays, and the samples
+void sample_map(Job& job)
+{
+  const Command_line& line = job.line;
+  if(makes_image(line) || !line.svg.empty() || output_extension(line.output) == "glb")
+    job.flat = flat_map(job.mesh, job.uv, job.originals);
+  if(!line.attributes.empty())
+    job.flat->colors = flat_colors(job);
+  if(makes_image(line))
+    job.image = make_geometry_image(*job.flat, *line.resolution, job.result.seam_samples);
 }
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
 {
-  CGAL_ext::internal::Surface_soup soup = read_soup(job.line.input, job.line.input_format, &job.passed_over);
+  const bool wants_colors = !job.line.attributes.empty();
+  CGAL_ext::internal::Surface_soup soup =
+      read_soup(job.line.input, job.line.input_format, &job.passed_over, wants_colors ? &job.input_colors : nullptr);
+  if(wants_colors && job.input_colors.empty())
+    throw Malformed_file("'" + job.line.input + "' has no colors of its vertices, which --attributes needs");
   check_well_formed(soup, job.line.input);
   job.input_vertices = soup.points.size();
   job.input_faces = soup.faces.size();
@@ -76,6 +154,11 @@ void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
   if(line.corners)
     line.options.corners = mesh_vertices(*line.corners, job.conditioning);
   job.uncut_vertices = job.mesh.number_of_vertices();
+  if(makes_image(line)) {
+    if(!line.resolution)
+      line.resolution = default_resolution(job.uncut_vertices);
+    line.options.seam_grid = line.resolution;
+  }
   job.uv = job.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
 }
 
@@ -135,6 +218,7 @@ Exit_status run(Command_line command_line)
   const CGAL_ext::Square_map_result<Mesh>& result = job.result;
   CGAL_ext::internal::Surface_soup soup = read_input(job);
   check_corners(job);
+  read_texture(job);
   job.seconds.read = watch.lap();
   Output_set outputs;
   add_outputs(job, watch, outputs);
@@ -150,6 +234,8 @@ Exit_status run(Command_line command_line)
               << '\n';
     return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
+  sample_map(job);
+  job.seconds.sample = watch.lap();
   job.seconds.total = watch.total(); // before the outputs are written
   outputs.write_and_commit();
   job.seconds.total = watch.total();
@@ -159,6 +245,7 @@ Exit_status run(Command_line command_line)
     if(has_reached_time_limit(job))
       std::cerr << "the time limit was reached: this is the best map so far\n";
     tell_map(result, job.seconds.total);
+    tell_open_seams(job);
   }
   return DONE;
 }

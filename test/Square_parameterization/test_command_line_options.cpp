@@ -195,12 +195,12 @@ TEST_CASE("an output that is the input or another output is refused")
   CHECK(read_file(input) == off(small));
 }
 
-TEST_CASE("an output with another extension than .obj, .off, .ply or .stl is refused")
+TEST_CASE("an output with another extension than .obj, .off, .ply, .stl or .glb is refused")
 {
   const Temporary_folder folder;
   const std::string input = folder.add("in.off", off(small));
-  for(const char* name : {"map", "map.glb", "map.txt", "obj", ".obj", "map.", "map.obj.gz"})
-    check_refusal(folder, {input, "-o", folder / name}, BAD_COMMAND_LINE, ".obj, .off, .ply or .stl");
+  for(const char* name : {"map", "map.gltf", "map.txt", "obj", ".obj", "map.", "map.obj.gz"})
+    check_refusal(folder, {input, "-o", folder / name}, BAD_COMMAND_LINE, ".obj, .off, .ply, .stl or .glb");
 }
 
 namespace {

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 /// the rooms, lowest first; those of one floor do not know each other
 const std::vector<std::vector<std::string>> FLOORS{{"common"},     {"patch", "soup"},  {"border", "energy", "surface"},
                                                    {"coarsening"}, {"iteration"},      {"minimization"},
-                                                   {"search"},     {"cut", "plug_in"}, {"pipeline"}};
+                                                   {"search"},     {"cut", "plug_in"}, {"sampling"},
+                                                   {"pipeline"}};
 
 const fs::path PACKAGE = fs::path(INCLUDE_FOLDER) / "CGAL_ext/Square_parameterization";
 

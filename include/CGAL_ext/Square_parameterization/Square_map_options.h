@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Chords.h>
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/Grid_size.h>
 #include <CGAL_ext/Square_parameterization/Minimization.h>
 #include <CGAL_ext/Square_parameterization/Square_search_options.h>
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
@@ -32,6 +33,11 @@ struct Square_map_settings
   /// how the surface is cut to a disk. Cuts are judged with the balance of the minimization, where that has one, on as
   /// many threads as the search.
   Cut_options cut;
+
+  /// a grid of samples that both sides of every seam are to have in common, so that a surface rebuilt from the samples
+  /// closes there: the border of the best map is then moved along the square and fixed, and the map minimised again. No
+  /// effect on a surface that needs no cut.
+  std::optional<Grid_size> seam_grid;
 };
 
 /// \ingroup PkgSquareParameterizationFunctions

@@ -54,6 +54,10 @@ struct Square_map_report
   Minimization_report minimization;       ///< iterations of the delivered map
   Stretch_measures measures;              ///< of the delivered map
   std::size_t border_edges = 0;           ///< number of edges of the border
+  /// with `Square_map_settings::seam_grid`: pairs of samples of the border that are the same point of the surface,
+  /// counted counter-clockwise from (0, 0). Empty when there is no seam, and when the grid has too few samples for the
+  /// seams: then the map is as if there were no grid.
+  std::vector<std::array<int, 2>> seam_samples;
   /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as
   /// 1e-4 sqrt(area); the measures take them as they are.
   std::size_t degenerate_faces = 0;

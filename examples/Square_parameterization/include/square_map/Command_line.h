@@ -4,9 +4,11 @@
 #ifndef SQUARE_MAP_COMMAND_LINE_H
 #define SQUARE_MAP_COMMAND_LINE_H
 
+#include "Texture.h"
 #include "option_effects.h"
 #include "write_map.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <sstream>
@@ -65,7 +67,8 @@ inline void check_options(const Given_options& given, const Command_line& line)
   for(const char* number : {"threads", "patience", "step", "interval", "seed"})
     if(given.has(number) && (given.all[number].as<int>() < 0 || given.all[number].as<int>() > 1000000))
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
-  for(const char* option : {"output", "json", "seams"})
+  for(const char* option :
+      {"output", "json", "seams", "texture", "svg", "image", "normal-map", "attributes", "grid-mesh"})
     if(given.has(option))
       check_file_name(option, given.all[option].as<std::string>());
 }
@@ -84,16 +87,47 @@ inline bool is_same_file(const std::string& a, const std::string& b)
          fs::equivalent(path_a, path_b, error);
 }
 
-/// checks the names of the files: the output has a known extension, and no file is named twice
+/// refuses a file whose extension is none of those that are known
+inline void check_extension(const std::string& what, const std::string& name,
+                            const std::vector<std::string>& extensions)
+{
+  if(name.empty() || std::find(extensions.begin(), extensions.end(), output_extension(name)) != extensions.end())
+    return;
+  std::string list;
+  for(std::size_t k = 0; k < extensions.size(); ++k)
+    list += (k == 0 ? "." : k + 1 == extensions.size() ? " or ." : ", .") + extensions[k];
+  throw Usage_error(what + " '" + name + "' must end in " + list);
+}
+
+/// indicates whether an OBJ file gets a material and a picture beside it
+inline bool has_material(const Command_line& line)
+{
+  return !line.texture.empty() && output_extension(line.output) == "obj";
+}
+
+/// checks the names of the files: outputs have known extensions, and no file is named twice
 inline void check_files(const Command_line& line)
 {
-  namespace fs = std::filesystem;
-  if(!line.output.empty()) {
-    const std::string extension = fs::path(line.output).has_extension() ? extension_of(line.output) : "";
-    if(extension != "obj" && extension != "off" && extension != "ply" && extension != "stl")
-      throw Usage_error("the output '" + line.output + "' must end in .obj, .off, .ply or .stl");
+  check_extension("the output", line.output, {"obj", "off", "ply", "stl", "glb"});
+  check_extension("the image", line.image, {"png", "exr"});
+  check_extension("the normal map", line.normal_map, {"png"});
+  check_extension("the picture of the attributes", line.attributes, {"png"});
+  check_extension("the grid mesh", line.grid_mesh, {"obj", "off", "ply", "stl"});
+  std::vector<std::string> files{line.input == "-" ? "" : line.input,
+                                 line.seams,
+                                 line.output,
+                                 line.json,
+                                 line.texture == "checker" ? "" : line.texture,
+                                 line.svg,
+                                 line.image,
+                                 line.normal_map,
+                                 line.attributes,
+                                 line.grid_mesh};
+  if(has_material(line)) {
+    files.push_back(beside(line.output, ".mtl"));
+    if(const std::string picture = beside(line.output, ".png"); !is_same_file(line.texture, picture))
+      files.push_back(picture);
   }
-  const std::vector<std::string> files{line.input == "-" ? "" : line.input, line.seams, line.output, line.json};
   for(std::size_t i = 0; i < files.size(); ++i)
     for(std::size_t j = i + 1; j < files.size(); ++j)
       if(!files[i].empty() && !files[j].empty() && is_same_file(files[i], files[j]))
@@ -207,6 +241,8 @@ inline Command_line parse_command_line(int argc, char** argv)
   set_iteration(given, line.options);
   set_surface(given, line);
   set_search(given, line);
+  if(given.has("resolution"))
+    line.resolution = parse_resolution(given.resolution);
   check_effects(given, line);
   check_files(line);
   return line;

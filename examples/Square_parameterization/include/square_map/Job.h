@@ -5,9 +5,12 @@
 #define SQUARE_MAP_JOB_H
 
 #include "Command_line.h"
+#include "Geometry_image.h"
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,7 +19,7 @@ namespace square_map {
 /// seconds spent in each part of the run
 struct Timings
 {
-  double read = 0, condition = 0, cut = 0, search = 0, final = 0, write = 0, total = 0;
+  double read = 0, condition = 0, cut = 0, search = 0, final = 0, sample = 0, write = 0, total = 0;
 };
 
 /// measures the steps of a run
@@ -54,6 +57,7 @@ struct Job
   Command_line line;
   Passed_over passed_over; ///< of the file
   std::size_t input_vertices = 0, input_faces = 0;
+  Vertex_colors input_colors; ///< of the vertices of the file; empty unless asked for
   CGAL_ext::internal::Conditioning_report conditioning;
   Mesh mesh;                                ///< conditioned, later cut and with split chords
   std::size_t uncut_vertices = 0;           ///< of the conditioned mesh
@@ -61,6 +65,9 @@ struct Job
   CGAL_ext::Square_map_result<Mesh> result; ///< of the map, made or not
   std::vector<int> originals;               ///< per vertex of the cut mesh, the vertex of the conditioned one;
                                             ///< vertices beyond were added
+  std::string texture;                      ///< the bytes of a PNG file, for outputs that have one
+  std::optional<Flat_map> flat;             ///< the map as arrays, for outputs that are made of it
+  std::optional<Geometry_image> image;      ///< the samples, for outputs that are made of them
   Timings seconds;
 };
 

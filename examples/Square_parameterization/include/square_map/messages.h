@@ -104,6 +104,13 @@ inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double tot
             << result.search.evaluations << " evaluated, " << total_seconds << " s\n";
 }
 
+/// tells that the samples are too few for the seams
+inline void tell_open_seams(const Job& job)
+{
+  if(job.image && job.result.cut.seam_edges > 0 && job.result.seam_samples.empty())
+    std::cerr << "the samples do not close at the seams: a larger --resolution may\n";
+}
+
 } // namespace square_map
 
 #endif // SQUARE_MAP_MESSAGES_H

@@ -6,10 +6,23 @@
 
 #include "option_list.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace square_map {
+
+/// indicates whether anything is made of samples
+inline bool makes_image(const Command_line& line)
+{
+  return !line.image.empty() || !line.normal_map.empty() || !line.attributes.empty() || !line.grid_mesh.empty();
+}
+
+/// the extension of the name of an output, in lower case; empty when it has none
+inline std::string output_extension(const std::string& name)
+{
+  return std::filesystem::path(name).has_extension() ? extension_of(name) : "";
+}
 
 /// a condition without which some options have no effect
 struct Effect
@@ -38,6 +51,15 @@ inline std::vector<Effect> effects()
       {{"cut", "cut-weight", "max-cut-length", "cut-disk"},
        "has no effect beside --seams",
        [](const Command_line& line) { return line.seams.empty(); }},
+      {{"resolution"},
+       "goes with --image, --normal-map, --attributes or --grid-mesh",
+       [](const Command_line& line) { return makes_image(line); }},
+      {{"texture"},
+       "goes with an output .glb or .obj",
+       [](const Command_line& line) {
+         const std::string extension = output_extension(line.output);
+         return extension == "glb" || extension == "obj";
+       }},
       {{"cut-weight", "max-cut-length", "cut-disk"}, "goes with --cut best", [](const Command_line& line) {
          return line.options.cut.mode == Cut_mode::BEST;
        }}};

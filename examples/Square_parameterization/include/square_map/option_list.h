@@ -4,6 +4,7 @@
 #ifndef SQUARE_MAP_OPTION_LIST_H
 #define SQUARE_MAP_OPTION_LIST_H
 
+#include "Resolution.h"
 #include "option_values.h"
 #include "read_surface.h"
 
@@ -23,7 +24,8 @@ struct Command_line
 {
   bool wants_help = false, wants_version = false;
   std::string help;
-  std::string input, input_format, output, json, seams;
+  std::string input, input_format, output, json, seams, texture, svg, image, normal_map, attributes, grid_mesh;
+  std::optional<CGAL_ext::Grid_size> resolution; // none: the default, which the surface tells
   std::string strategy, minimizer = "optimal";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
   bool is_quiet = false;
@@ -34,7 +36,7 @@ struct Command_line
 /// the options as they are given: names and numbers that are still to be checked
 struct Given_options
 {
-  std::string weights, corner_rule, walk, preset, corners, border, cut, component;
+  std::string weights, corner_rule, walk, preset, corners, border, cut, component, resolution;
   double eta = 0, balance = 0, time_limit = 0;
   int patience = 0, threads = 0;
   Tuning tuning;
@@ -53,7 +55,21 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("help,h", "show this text");
   add("version", "show the versions of this program and of CGAL");
   add("output,o", po::value(&line.output)->value_name("FILE"),
-      "the map: .obj, .off or .ply by extension; .stl for the surface that is mapped, without its map");
+      "the map: .obj, .off or .ply by extension; .glb for the textured surface; .stl for the surface that is mapped, "
+      "without its map");
+  add("texture", po::value(&line.texture)->value_name("checker|FILE"),
+      "for .glb, and for .obj with a .mtl and a .png file beside it: a checkerboard (default of .glb), or a PNG file");
+  add("image", po::value(&line.image)->value_name("FILE"),
+      "the geometry image: .png, 16 bits in the bounding box, or .exr, 32-bit floating-point");
+  add("normal-map", po::value(&line.normal_map)->value_name("FILE"), "the normals of the samples: .png");
+  add("attributes", po::value(&line.attributes)->value_name("FILE"),
+      "the colors of the vertices of the file at the samples: .png");
+  add("grid-mesh", po::value(&line.grid_mesh)->value_name("FILE"),
+      "the surface rebuilt from the samples: .obj, .off, .ply or .stl");
+  add("resolution", po::value(&given.resolution)->value_name("N|WxH"),
+      "samples of the image, the normal map, the attributes and the grid mesh; by default four a vertex");
+  add("svg", po::value(&line.svg)->value_name("FILE"),
+      "picture of the map: faces in the colors of their stretch, corners, seams and the curve of the candidates");
   add("input-format", po::value(&line.input_format)->value_name("NAME"),
       "off, obj, ply or stl; by default the extension of INPUT tells, or the content of a pipe");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),

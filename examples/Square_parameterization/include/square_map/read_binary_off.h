@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
 #include "Byte_scanner.h"
+#include "Vertex_colors.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -63,19 +64,25 @@ inline std::size_t next_off_count(Byte_scanner& scanner, const std::string& what
 
 constexpr std::size_t OFF_WORD = 4; // bytes of a number
 
-/// reads the points of a binary OFF file; passes over normals, colors and texture coordinates
+/// reads the points of a binary OFF file, and their colors; passes over normals and texture coordinates
 inline void read_binary_off_points(Byte_scanner& scanner, const Off_header& header, const Off_colors& colors,
-                                   CGAL_ext::internal::Surface_soup& soup)
+                                   CGAL_ext::internal::Surface_soup& soup, Vertex_colors* vertex_colors)
 {
   const std::size_t w = header.is_homogeneous ? 1 : 0;
-  const std::size_t attributes = (header.has_normals ? 3 + w : 0) + (header.has_colors ? colors.per_vertex : 0) +
-                                 (header.has_textures ? 2 + w : 0);
+  const std::size_t normals = header.has_normals ? 3 + w : 0, textures = header.has_textures ? 2 + w : 0;
+  const bool reads_colors = header.has_colors && vertex_colors != nullptr;
+  const std::size_t other_colors = header.has_colors ? colors.per_vertex - (reads_colors ? 3 : 0) : 0;
   soup.points.reserve(std::min(header.vertices, scanner.bytes_left() / (3 * OFF_WORD)));
   for(std::size_t v = 0; v < header.vertices; ++v) {
     const auto next = [&scanner, v] { return static_cast<double>(scanner.next<float>("vertex", v)); };
     const double x = next(), y = next(), z = next(), divisor = header.is_homogeneous ? next() : 1;
     soup.points.emplace_back(x / divisor, y / divisor, z / divisor);
-    scanner.skip(OFF_WORD * attributes, "vertex", v);
+    scanner.skip(OFF_WORD * normals, "vertex", v);
+    if(reads_colors) {
+      const double red = next(), green = next();
+      vertex_colors->emplace_back(red, green, next());
+    }
+    scanner.skip(OFF_WORD * (other_colors + textures), "vertex", v);
   }
 }
 
@@ -106,10 +113,12 @@ inline std::vector<std::size_t> next_binary_off_face(Byte_scanner& scanner, std:
 
 /// reads the vertices and faces of a binary OFF file: big-endian numbers of four bytes
 inline CGAL_ext::internal::Surface_soup read_binary_off(Byte_scanner scanner, const Off_header& header,
-                                                        const Off_colors& colors)
+                                                        const Off_colors& colors, Vertex_colors* vertex_colors)
 {
   CGAL_ext::internal::Surface_soup soup;
-  read_binary_off_points(scanner, header, colors, soup);
+  if(vertex_colors != nullptr)
+    vertex_colors->clear();
+  read_binary_off_points(scanner, header, colors, soup, vertex_colors);
   soup.faces.reserve(std::min(header.faces, scanner.bytes_left() / OFF_WORD));
   for(std::size_t f = 0; f < header.faces; ++f)
     soup.faces.push_back(next_binary_off_face(scanner, f, header, colors));
@@ -121,7 +130,8 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(Byte_scanner scanner, co
 /// reads what follows the line with the word BINARY. Geomview's format has four color components on a vertex, and the
 /// number of color components after each face; where that makes no sense, the forms that other programs write are
 /// tried: three components, and no number.
-inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, Off_header header)
+inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, Off_header header,
+                                                        Vertex_colors* vertex_colors = nullptr)
 {
   Byte_scanner scanner(bytes, boost::endian::order::big);
   if(header.has_dimension)
@@ -134,7 +144,7 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, 
   for(const Off_colors& colors :
       {Off_colors{4, true, false}, Off_colors{3, true, true}, Off_colors{4, false, true}, Off_colors{3, false, true}})
     try {
-      return read_binary_off(scanner, header, colors);
+      return read_binary_off(scanner, header, colors, vertex_colors);
     } catch(const Malformed_file& error) {
       if(!first_error)
         first_error = error;

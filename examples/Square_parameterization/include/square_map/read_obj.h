@@ -8,6 +8,7 @@
 
 #include "Passed_over.h"
 #include "Text_scanner.h"
+#include "Vertex_colors.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -48,7 +49,10 @@ class Obj_reader
 {
 public:
   /// \param text must live as long as the reader
-  explicit Obj_reader(std::string_view text) : m_scanner(text, '#', true) {}
+  /// \param colors receives the colors of the vertices, unless it is null or a vertex has none
+  explicit Obj_reader(std::string_view text, Vertex_colors* colors = nullptr)
+    : m_scanner(text, '#', true), m_colors(colors)
+  {}
 
   /// reads all lines; what is not used is counted in \p passed_over
   CGAL_ext::internal::Surface_soup read(Passed_over& passed_over)
@@ -68,6 +72,8 @@ public:
       throw Malformed_file(m_line_of_highest + ": a face names vertex " + std::to_string(m_highest) +
                            "; the file has " + counted(m_soup.points.size(), "vertex", "vertices") +
                            ", counted from 1");
+    if(m_colors != nullptr && m_colors->size() != m_soup.points.size())
+      m_colors->clear();
     return std::move(m_soup);
   }
 
@@ -90,11 +96,14 @@ private:
                  z = m_scanner.next_real("a coordinate");
     m_soup.points.emplace_back(x, y, z);
     std::size_t numbers = 3;
+    Eigen::Vector3d last(0, 0, 0); // numbers of the line: those of the color
     for(; !m_scanner.is_line_end(); ++numbers)
-      m_scanner.next_real("a weight or a color");
+      last = {last[1], last[2], m_scanner.next_real("a weight or a color")};
     if(numbers > MOST_NUMBERS)
       m_scanner.refuse("a vertex has " + std::to_string(numbers) + " numbers; at most 7 were expected");
-    if(numbers > 3)
+    if(numbers >= 6 && m_colors != nullptr)
+      m_colors->push_back(last);
+    else if(numbers > 3)
       ++passed_over[numbers == 4 ? "weights" : "colors"];
   }
 
@@ -143,15 +152,18 @@ private:
   }
 
   Text_scanner m_scanner;
+  Vertex_colors* m_colors;
   CGAL_ext::internal::Surface_soup m_soup;
   std::size_t m_highest = 0; ///< of the vertices that were named before they came, counted from 1
   std::string m_line_of_highest, m_unknown_kind;
 };
 
 /// reads an OBJ file; an object without faces is refused, for a file that is cut off looks like it
-inline CGAL_ext::internal::Surface_soup read_obj(std::string_view text, Passed_over& passed_over)
+/// \param colors receives the colors of the vertices, unless it is null
+inline CGAL_ext::internal::Surface_soup read_obj(std::string_view text, Passed_over& passed_over,
+                                                 Vertex_colors* colors = nullptr)
 {
-  CGAL_ext::internal::Surface_soup soup = Obj_reader(text).read(passed_over);
+  CGAL_ext::internal::Surface_soup soup = Obj_reader(text, colors).read(passed_over);
   if(soup.faces.empty())
     throw Malformed_file("it has " + counted(soup.points.size(), "vertex", "vertices") + " and no faces");
   return soup;

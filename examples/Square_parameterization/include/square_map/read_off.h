@@ -56,8 +56,27 @@ inline void find_off_row(Text_scanner& scanner, std::size_t row, std::size_t cou
                          counted(count, thing, things));
 }
 
-/// reads points, one a line; what follows the coordinates is passed over: colors, normals, texture coordinates
-inline void read_off_points(Text_scanner& scanner, const Off_header& header, CGAL_ext::internal::Surface_soup& soup)
+/// a component of a color: a number from 0 to 255 without a decimal point, or one from 0 to 1
+inline double next_color_component(Text_scanner& scanner)
+{
+  const std::size_t place = scanner.place();
+  const bool is_real = scanner.next_word().find_first_of(".e") != std::string_view::npos;
+  scanner.go_back(place);
+  return scanner.next_real("a component of a color") / (is_real ? 1 : 255);
+}
+
+/// the color of a vertex, after its coordinates and its normal
+inline Eigen::Vector3d next_color(Text_scanner& scanner, const Off_header& header)
+{
+  for(int k = 0; header.has_normals && k < (header.is_homogeneous ? 4 : 3); ++k)
+    scanner.next_real("a coordinate of a normal");
+  const double red = next_color_component(scanner), green = next_color_component(scanner);
+  return {red, green, next_color_component(scanner)};
+}
+
+/// reads points, one a line; what follows the coordinates is passed over, but for colors that are asked for
+inline void read_off_points(Text_scanner& scanner, const Off_header& header, CGAL_ext::internal::Surface_soup& soup,
+                            Vertex_colors* colors)
 {
   soup.points.reserve(std::min(header.vertices, scanner.bytes_left() / 6));
   for(std::size_t v = 0; v < header.vertices; ++v) {
@@ -66,6 +85,8 @@ inline void read_off_points(Text_scanner& scanner, const Off_header& header, CGA
                  z = scanner.next_real("a coordinate");
     const double w = header.is_homogeneous ? scanner.next_real("a homogeneous coordinate") : 1;
     soup.points.emplace_back(x / w, y / w, z / w);
+    if(header.has_colors && colors != nullptr)
+      colors->push_back(next_color(scanner, header));
     scanner.skip_line();
   }
 }
@@ -96,7 +117,8 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
 
 /// reads an OFF file: text or binary, with any of the letters for texture coordinates, colors, normals, homogeneous
 /// coordinates and a dimension before its keyword. What follows the last face is passed over.
-inline CGAL_ext::internal::Surface_soup read_off(std::string_view text)
+/// \param colors receives the colors of the vertices, unless it is null
+inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Vertex_colors* colors = nullptr)
 {
   Text_scanner scanner(text, '#');
   const std::string_view keyword = scanner.next_word_anywhere();
@@ -106,12 +128,12 @@ inline CGAL_ext::internal::Surface_soup read_off(std::string_view text)
   if(scanner.find_word()) {
     const std::size_t place = scanner.place();
     if(scanner.next_word() == "BINARY")
-      return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), *header);
+      return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), *header, colors);
     scanner.go_back(place);
   }
   CGAL_ext::internal::Surface_soup soup;
   read_off_counts(scanner, *header);
-  read_off_points(scanner, *header, soup);
+  read_off_points(scanner, *header, soup, colors);
   read_off_faces(scanner, *header, soup);
   return soup;
 }

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
 #include "Ply_values.h"
+#include "Vertex_colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,9 +49,28 @@ void skip_ply_property(Values& values, const Ply_property& property, const std::
   values.skip(property.type, count, element, index);
 }
 
+/// per property of a vertex, which component of its color it is: 0, 1 or 2; -1 for none
+inline std::vector<int> ply_color_components(const Ply_element& element)
+{
+  static const char* const names[] = {"red", "green", "blue"};
+  std::vector<int> components(element.properties.size(), -1);
+  for(int c = 0; c < 3; ++c)
+    if(const std::size_t k = ply_property_of(element, names[c]);
+       k < element.properties.size() && !element.properties[k].is_list)
+      components[k] = c;
+  return components;
+}
+
+/// the number that stands for a full color
+inline double full_ply_color(Ply_type type)
+{
+  return type == Ply_type::FLOAT32 || type == Ply_type::FLOAT64 ? 1 : type == Ply_type::UINT16 ? 65535 : 255;
+}
+
 /// reads the points: the scalars x, y and z of each vertex, of any type
 template <class Values>
-void read_ply_points(Values& values, const Ply_element& element, CGAL_ext::internal::Surface_soup& soup)
+void read_ply_points(Values& values, const Ply_element& element, CGAL_ext::internal::Surface_soup& soup,
+                     Vertex_colors* colors)
 {
   static const char* const names[] = {"x", "y", "z"};
   std::vector<int> axes(element.properties.size(), -1); // per property
@@ -62,15 +82,24 @@ void read_ply_points(Values& values, const Ply_element& element, CGAL_ext::inter
       throw Malformed_file(std::string("its coordinate ") + names[axis] + " is a list; a number was expected");
     axes[k] = axis;
   }
+  const std::vector<int> components =
+      colors != nullptr ? ply_color_components(element) : std::vector<int>(element.properties.size(), -1);
+  const bool has_colors = std::count_if(components.begin(), components.end(), [](int c) { return c >= 0; }) == 3;
   soup.points.reserve(std::min(element.count, values.bytes_left() / 3));
   for(std::size_t v = 0; v < element.count; ++v) {
     Eigen::Vector3d& p = soup.points.emplace_back();
+    Eigen::Vector3d color(0, 0, 0);
     for(std::size_t k = 0; k < axes.size(); ++k)
       if(axes[k] >= 0)
         p[axes[k]] = values.next(element.properties[k].type, element.name, v);
+      else if(components[k] >= 0)
+        color[components[k]] =
+            values.next(element.properties[k].type, element.name, v) / full_ply_color(element.properties[k].type);
       else
         skip_ply_property(values, element.properties[k], element.name, v);
     values.end_element(element.name, v);
+    if(has_colors)
+      colors->push_back(color);
   }
 }
 
@@ -108,7 +137,7 @@ void read_ply_faces(Values& values, const Ply_element& element, CGAL_ext::intern
 
 /// reads the data of a PLY file up to the last element that is needed; what follows is passed over
 template <class Values>
-CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& header)
+CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& header, Vertex_colors* colors)
 {
   CGAL_ext::internal::Surface_soup soup;
   bool has_vertices = false, has_faces = false;
@@ -116,7 +145,7 @@ CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& 
     if(has_vertices && has_faces)
       break;
     if(element.name == "vertex") {
-      read_ply_points(values, element, soup);
+      read_ply_points(values, element, soup, colors);
       has_vertices = true;
     } else if(element.name == "face") {
       read_ply_faces(values, element, soup);
@@ -132,7 +161,8 @@ CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& 
 }
 
 /// reads a PLY file: text or binary, with numbers of any type
-inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text)
+/// \param colors receives the colors of the vertices, unless it is null
+inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text, Vertex_colors* colors = nullptr)
 {
   const Ply_header header = read_ply_header(text);
   const auto has = [&header](const char* name) {
@@ -143,8 +173,8 @@ inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text)
     throw Malformed_file("it has no element vertex");
   if(!has("face") && has("tristrips"))
     throw Malformed_file("it has triangle strips, which are not read; an element face was expected");
-  return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header)
-                         : read_ply_data(Ply_bytes(text, header), header);
+  return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header, colors)
+                         : read_ply_data(Ply_bytes(text, header), header, colors);
 }
 
 } // namespace square_map

@@ -32,16 +32,17 @@ constexpr std::size_t MEMORY_TO_START_READING = 1 << 28, MEMORY_PER_BYTE = 64;
 
 /// reads points and polygons of a text, by the reader of its format
 /// \throw Malformed_file with the reason alone
-inline CGAL_ext::internal::Surface_soup parse_soup(std::string_view text, File_format format, Passed_over& passed_over)
+inline CGAL_ext::internal::Surface_soup parse_soup(std::string_view text, File_format format, Passed_over& passed_over,
+                                                   Vertex_colors* colors = nullptr)
 {
   const Memory_limit limit(MEMORY_TO_START_READING + MEMORY_PER_BYTE * text.size());
   switch(format) {
   case File_format::OFF:
-    return read_off(text);
+    return read_off(text, colors);
   case File_format::OBJ:
-    return read_obj(text, passed_over);
+    return read_obj(text, passed_over, colors);
   case File_format::PLY:
-    return read_ply(text);
+    return read_ply(text, colors);
   default:
     return read_stl(text);
   }
@@ -50,8 +51,9 @@ inline CGAL_ext::internal::Surface_soup parse_soup(std::string_view text, File_f
 /// reads points and polygons of a file or a pipe; "-" is standard input
 /// \param format_name the format, in place of what the extension says; empty for none
 /// \param passed_over what of the file was not used is added, unless it is null
+/// \param colors receives the colors of the vertices, unless it is null; none for a file that has none
 inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const std::string& format_name = "",
-                                                  Passed_over* passed_over = nullptr)
+                                                  Passed_over* passed_over = nullptr, Vertex_colors* colors = nullptr)
 {
   Passed_over unused;
   std::string reader; // in messages
@@ -63,7 +65,8 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const
     if(text.empty())
       throw Malformed_file("it is empty");
     reader = std::string(" as ") + name_of(format);
-    CGAL_ext::internal::Surface_soup soup = parse_soup(text, format, passed_over != nullptr ? *passed_over : unused);
+    CGAL_ext::internal::Surface_soup soup =
+        parse_soup(text, format, passed_over != nullptr ? *passed_over : unused, colors);
     if(soup.points.empty() && soup.faces.empty())
       throw Malformed_file("it has neither vertices nor faces");
     return soup;

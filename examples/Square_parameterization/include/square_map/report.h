@@ -6,6 +6,7 @@
 
 #include "Job.h"
 #include "messages.h"
+#include "surface_distances.h"
 
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace square_map {
@@ -91,16 +93,68 @@ inline nlohmann::ordered_json best_map_report(const Job& job)
           {"l2", result.measures.l2},
           {"linf", result.measures.linf},
           {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
-          {"energy", result.search.best_objective},
+          {"energy", result.minimization.objective},
           {"flipped", result.measures.flipped_faces},
           {"iterations", result.minimization.iterations}};
+}
+
+/// seconds spent in each part of the run
+inline nlohmann::ordered_json timing_report(const Timings& seconds)
+{
+  return {{"read", seconds.read},     {"condition", seconds.condition}, {"cut", seconds.cut},
+          {"search", seconds.search}, {"final", seconds.final},         {"sample", seconds.sample},
+          {"write", seconds.write},   {"total", seconds.total}};
+}
+
+/// three numbers
+inline nlohmann::ordered_json numbers(const Eigen::Vector3d& x)
+{
+  return {x.x(), x.y(), x.z()};
+}
+
+inline nlohmann::ordered_json distance_report(const Surface_distance& distance)
+{
+  return {{"rms", distance.rms}, {"hausdorff", distance.hausdorff}};
+}
+
+/// points in diagonals of a box, from its center
+inline std::vector<Eigen::Vector3d> in_box(std::vector<Eigen::Vector3d> points, const Eigen::AlignedBox3d& box)
+{
+  const Eigen::Vector3d center = box.min() / 2 + box.max() / 2;
+  const double diagonal = box.diagonal().stableNorm();
+  for(Eigen::Vector3d& p : points)
+    p = (p - center) / diagonal;
+  return points;
+}
+
+/// how well the samples stand for the surface, in diagonals of its box, and what the mesh rebuilt from them is
+inline nlohmann::ordered_json image_report(const Geometry_image& image, const Flat_map& map,
+                                           unsigned int number_of_threads)
+{
+  std::vector<Eigen::Vector3d> samples;
+  for(std::size_t sample : image.mesh.samples)
+    samples.push_back(image.points[sample]);
+  const auto points = in_box(map.points, image.box), image_points = in_box(std::move(samples), image.box);
+  const Triangles surface{points, map.triangles}, rebuilt{image_points, image.mesh.triangles};
+  const Surface_distance to_image = distance_to(rebuilt, surface, number_of_threads);
+  const Surface_distance from_image = distance_to(surface, rebuilt, number_of_threads);
+  const auto topology = CGAL_ext::internal::topology_of(image_points.size(), image.mesh.triangles);
+  return {{"width", image.size.width},
+          {"height", image.size.height},
+          {"box", {{"min", numbers(image.box.min())}, {"max", numbers(image.box.max())}}},
+          {"rms_error", rms_error_at_vertices(image, map, image.box.diagonal().stableNorm())},
+          {"hausdorff_error", (std::max)(to_image.hausdorff, from_image.hausdorff)},
+          {"surface_to_image", distance_report(to_image)},
+          {"image_to_surface", distance_report(from_image)},
+          {"is_closed", topology.is_closed},
+          {"is_manifold", topology.is_manifold},
+          {"genus", topology.is_manifold ? nlohmann::ordered_json(topology.genus) : nlohmann::ordered_json(nullptr)}};
 }
 
 /// the report of a run that made a map
 inline nlohmann::ordered_json make_report(const Job& job)
 {
   const CGAL_ext::Search_report& search = job.result.search;
-  const Timings& seconds = job.seconds;
   nlohmann::ordered_json json;
   json["input"] = {{"file", job.line.input}, {"vertices", job.input_vertices}, {"faces", job.input_faces}};
   if(!job.passed_over.empty())
@@ -115,15 +169,16 @@ inline nlohmann::ordered_json make_report(const Job& job)
   json["evaluations"] = search.evaluations;
   json["sketches"] = search.sketches;
   json["best"] = best_map_report(job);
+  if(job.image)
+    json["image"] = image_report(*job.image, *job.flat,
+                                 static_cast<unsigned int>(job.line.options.search_options.number_of_threads));
   json["curve"] = nlohmann::ordered_json::array();
   for(const auto& sample : search.curve)
     json["curve"].push_back(
         {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.objective)}});
   json["threads"] = CGAL_ext::internal::number_of_search_threads(job.line.options.search_options.number_of_threads,
                                                                  static_cast<int>(job.mesh.number_of_vertices()));
-  json["seconds"] = {{"read", seconds.read},     {"condition", seconds.condition}, {"cut", seconds.cut},
-                     {"search", seconds.search}, {"final", seconds.final},         {"write", seconds.write},
-                     {"total", seconds.total}};
+  json["seconds"] = timing_report(job.seconds);
   return json;
 }
 

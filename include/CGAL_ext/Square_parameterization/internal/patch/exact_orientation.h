@@ -13,6 +13,13 @@
 namespace CGAL_ext {
 namespace internal {
 
+/// a point of the plane
+typedef Eigen::RowVector2d Uv_point;
+
+/// 1 when \p p, \p q and \p r turn left, -1 when they turn right, 0 when they lie on a line: exactly. 0 when a coordinate
+/// is not finite.
+int orientation(const Uv_point& p, const Uv_point& q, const Uv_point& r);
+
 /// indicates whether the uv triangle \p t is counter-clockwise, exactly
 bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t);
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/MP_Float.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,25 +24,26 @@ constexpr double MAGNITUDE_WITHOUT_UNDERFLOW = 1e-270;
 // for each program that is compiled.
 
 /// twice the signed area of a triangle in exact arithmetic. The coordinates are finite.
-inline CGAL::MP_Float exact_twice_area(const Uv_coordinates& uv, const std::array<int, 3>& t)
+inline CGAL::MP_Float exact_twice_area(const Uv_point& p, const Uv_point& q, const Uv_point& r)
 {
-  const auto side = [&](int corner, int axis) {
-    return CGAL::MP_Float(uv(t[corner], axis)) - CGAL::MP_Float(uv(t[0], axis));
-  };
-  return side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0);
+  const auto side = [&p](const Uv_point& to, int axis) { return CGAL::MP_Float(to[axis]) - CGAL::MP_Float(p[axis]); };
+  return side(q, 0) * side(r, 1) - side(q, 1) * side(r, 0);
 }
 
-CGAL_EXT_INLINE_FUNCTION bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t)
+CGAL_EXT_INLINE_FUNCTION int orientation(const Uv_point& p, const Uv_point& q, const Uv_point& r)
 {
-  const double left = (uv(t[1], 0) - uv(t[0], 0)) * (uv(t[2], 1) - uv(t[0], 1));
-  const double right = (uv(t[1], 1) - uv(t[0], 1)) * (uv(t[2], 0) - uv(t[0], 0));
+  const double left = (q[0] - p[0]) * (r[1] - p[1]), right = (q[1] - p[1]) * (r[0] - p[0]);
   const double twice_area = left - right, magnitude = std::abs(left) + std::abs(right);
   // Shewchuk 1997, orient2d's first error bound: three roundings each of the products, one of the difference
   constexpr double EPSILON = std::numeric_limits<double>::epsilon() / 2, BOUND = (3 + 16 * EPSILON) * EPSILON;
   if(std::isfinite(magnitude) && magnitude >= MAGNITUDE_WITHOUT_UNDERFLOW && std::abs(twice_area) > BOUND * magnitude)
-    return twice_area > 0;
-  const auto is_finite = [&uv](int v) { return uv.row(v).allFinite(); };
-  return std::all_of(t.begin(), t.end(), is_finite) && exact_twice_area(uv, t).sign() == CGAL::POSITIVE;
+    return twice_area > 0 ? 1 : -1;
+  return p.allFinite() && q.allFinite() && r.allFinite() ? static_cast<int>(exact_twice_area(p, q, r).sign()) : 0;
+}
+
+CGAL_EXT_INLINE_FUNCTION bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t)
+{
+  return orientation(uv.row(t[0]), uv.row(t[1]), uv.row(t[2])) > 0;
 }
 
 CGAL_EXT_INLINE_FUNCTION std::size_t number_of_flipped_faces(const std::vector<std::array<int, 3>>& triangles,

@@ -13,11 +13,14 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/align_seams.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,6 +44,8 @@ inline void check_settings(const Square_map_settings& settings)
   if(const auto* iteration = std::get_if<Stretch_minimization>(&settings.minimization);
      iteration != nullptr && !iteration->is_valid())
     throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the weights are missing, or eta is not in ]0, 1]");
+  if(settings.seam_grid && !settings.seam_grid->is_valid())
+    throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "the grid for the seams has not 2 to 65536 samples a side");
   check_corner_search(settings.search);
 }
 
@@ -158,6 +163,29 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   return outcome;
 }
 
+/// per vertex of the disk, the vertex of the surface that it is or is a copy of; itself for a midpoint
+inline std::vector<int> originals_in_disk(const Surface_edits& edits, int surface_vertices, int disk_vertices)
+{
+  std::vector<int> originals(disk_vertices);
+  std::iota(originals.begin(), originals.end(), 0);
+  std::copy(edits.copies.begin(), edits.copies.end(), originals.begin() + surface_vertices);
+  return originals;
+}
+
+/// gives both sides of the seams the same samples of the grid that was asked for, where that is possible
+inline void share_seam_samples(const Patch& patch, const std::vector<int>& originals,
+                               const Square_map_settings& settings, Search_outcome& outcome, Square_map_report& report)
+{
+  Aligned_map aligned =
+      align_seams(patch, originals, outcome.map.uv, outcome.report.corners, *settings.seam_grid, settings.minimization);
+  if(aligned.map.uv.rows() == 0)
+    return;
+  outcome.map = std::move(aligned.map);
+  outcome.report.corners = report.search.corners = aligned.corners;
+  report.seam_samples = std::move(aligned.seam_samples);
+  report.minimization = outcome.map.report;
+}
+
 CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, const Chosen_elements& chosen,
                                                     const Square_map_settings& settings, Square_map_report& report)
 {
@@ -185,8 +213,12 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   const auto search_start = Clock::now();
   report.condition_seconds = seconds_between(condition_start, search_start);
 
-  const Search_outcome outcome = map_patch(patch, *minimizer, corners, settings, report);
+  Search_outcome outcome = map_patch(patch, *minimizer, corners, settings, report);
   report.search_seconds = seconds_between(search_start, Clock::now());
+  if(settings.seam_grid && !disk.edits.copies.empty())
+    share_seam_samples(patch,
+                       originals_in_disk(disk.edits, static_cast<int>(mesh.points.size()), patch.number_of_vertices()),
+                       settings, outcome, report);
   report.measures = measure(shapes_as_given(patch), patch.triangles, outcome.map.uv);
   Mapped_surface result{std::move(disk.edits), patch.triangles, outcome.map.uv, {}};
   for(int k = 0; k < 4; ++k)

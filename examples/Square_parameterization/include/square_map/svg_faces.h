@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_SVG_FACES_H
+#define SQUARE_MAP_SVG_FACES_H
+
+#include "Flat_map.h"
+#include "Geometry_image.h"
+#include "Stretch_colors.h"
+
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace square_map {
+
+constexpr std::size_t MOST_FACES_AS_PATHS = 20000;
+
+/// where the unit square lies in a picture
+struct Svg_square
+{
+  double left, top, size;
+
+  double x(double u) const { return left + u * size; }
+  double y(double v) const { return top + (1 - v) * size; }
+};
+
+/// a number with few significant digits
+inline std::string rounded(double x, int digits = 3)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return text;
+}
+
+inline void write_text(std::ostream& stream, double x, double y, const char* anchor, const std::string& words)
+{
+  stream << "<text x='" << x << "' y='" << y << "' text-anchor='" << anchor << "'>" << words << "</text>\n";
+}
+
+/// the faces as paths, one for each color; in whole units of a fiftieth
+inline void write_faces_as_paths(std::ostream& stream, const Flat_map& map, const std::vector<int>& levels,
+                                 const Svg_square& square)
+{
+  constexpr double UNITS = 50;
+  const auto unit = [&](int v, int axis) { return std::lround(map.uv(v, axis) * square.size * UNITS); };
+  std::vector<std::string> paths(Stretch_colors::LEVELS);
+  for(std::size_t f = 0; f < map.triangles.size(); ++f) {
+    const auto& [a, b, c] = map.triangles[f];
+    const auto step = [&](int from, int to) {
+      const long du = unit(to, 0) - unit(from, 0), dv = unit(to, 1) - unit(from, 1);
+      return std::to_string(du) + (dv < 0 ? "" : " ") + std::to_string(dv);
+    };
+    paths[levels[f]] +=
+        'M' + std::to_string(unit(a, 0)) + ' ' + std::to_string(unit(a, 1)) + 'l' + step(a, b) + ' ' + step(b, c) + 'z';
+  }
+  // a thin stroke closes the gaps that programs leave between neighbors
+  stream << "<g transform='translate(" << square.left << ' ' << square.y(0) << ") scale(" << 1 / UNITS << ' '
+         << -1 / UNITS << ")' stroke-width='25' stroke-linejoin='round'>\n";
+  for(int level = 0; level < Stretch_colors::LEVELS; ++level)
+    if(!paths[level].empty()) {
+      const std::string color = hexadecimal(Stretch_colors::color(level));
+      stream << "<path fill='" << color << "' stroke='" << color << "' d='" << paths[level] << "'/>\n";
+    }
+  stream << "</g>\n";
+}
+
+/// bytes in the letters that text may hold
+inline std::string base64(const std::string& bytes)
+{
+  using namespace boost::archive::iterators;
+  typedef base64_from_binary<transform_width<std::string::const_iterator, 6, 8>> Letters;
+  std::string text(Letters(bytes.begin()), Letters(bytes.end()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
+  return text;
+}
+
+/// the faces as a picture, two pixels for each unit
+inline void write_faces_as_picture(std::ostream& stream, const Flat_map& map, const std::vector<int>& levels,
+                                   const Svg_square& square)
+{
+  const int pixels = static_cast<int>(2 * square.size);
+  const CGAL_ext::Grid_size size{pixels, pixels};
+  const auto locations = CGAL_ext::internal::locate_samples(map.triangles, map.uv, size);
+  const std::string png = png_file(picture_of_samples<std::uint8_t>(
+      size, [&](std::size_t s) { return Stretch_colors::color(levels[locations[s].face]); }));
+  stream << "<image x='" << square.left << "' y='" << square.top << "' width='" << square.size << "' height='"
+         << square.size << "' xlink:href='data:image/png;base64," << base64(png) << "'/>\n";
+}
+
+inline void write_faces(std::ostream& stream, const Flat_map& map, const std::vector<double>& face_stretch,
+                        const Stretch_colors& colors, const Svg_square& square)
+{
+  std::vector<int> levels;
+  for(double stretch : face_stretch)
+    levels.push_back(colors.level(stretch));
+  if(map.triangles.size() <= MOST_FACES_AS_PATHS)
+    write_faces_as_paths(stream, map, levels, square);
+  else
+    write_faces_as_picture(stream, map, levels, square);
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_SVG_FACES_H

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
@@ -34,8 +35,13 @@ public:
     Uv_coordinates gradient, previous_gradient, direction, trial;
   };
 
-  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options)
-    : m_energy(patch, options.balance), m_preconditioner(patch), m_sweep(patch, options.balance), m_options(options)
+  /// \param deadline when it has passed a minimization ends with the map so far
+  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline = {})
+    : m_energy(patch, options.balance),
+      m_preconditioner(patch),
+      m_sweep(patch, options.balance),
+      m_options(options),
+      m_deadline(deadline)
   {}
 
   const Patch& patch() const { return m_energy.patch(); }
@@ -48,7 +54,7 @@ public:
     for(int i = 0; i < Minimizer_numbers::MAXIMUM_SWEEPS; ++i) {
       m_sweep(is_free, uv);
       const double reached = m_energy(uv);
-      if(energy - reached < Minimizer_numbers::LEAST_SWEEP_GAIN * energy)
+      if(energy - reached < Minimizer_numbers::LEAST_SWEEP_GAIN * energy || has_passed(m_deadline))
         return;
       energy = reached;
     }
@@ -69,6 +75,10 @@ public:
     while(true) {
       if(report.iterations == m_options.maximum_iterations) {
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
+        break;
+      }
+      if(has_passed(m_deadline)) {
+        report.stop_reason = Stop_reason::DEADLINE;
         break;
       }
       if(age == 0 && !m_preconditioner.factorize(m_energy, map.uv, is_free, workspace.factors)) {
@@ -180,6 +190,7 @@ private:
   Axis_preconditioner m_preconditioner;
   Vertex_sweep m_sweep;
   Balanced_minimization m_options;
+  Deadline m_deadline;
 };
 
 } // namespace internal

@@ -58,7 +58,7 @@ TEST_CASE("a defect of an OFF file is named with its line")
       {"in.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n", "it is incomplete: it ends after 2 of 3 vertices"},
       {"in.off", "OFF\n3 one 0\n", "line 2: the number of faces was expected, not 'one'"},
       {"in.off", "OFF\n3 1 none\n0 0 0\n", "line 2: the number of edges was expected, not 'none'"},
-      {"in.off", "nOFF\n4\n3 1 0\n", "its vertices have dimension 4; 3 was expected"},
+      {"in.off", "nOFF\n4\n3 1 0\n", "line 2: its vertices have dimension 4; 3 was expected"},
       {"in.off", "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "line 1: OFF was expected, not '3'"},
   });
 }
@@ -91,7 +91,8 @@ TEST_CASE("a defect of a PLY file is named with its line or its element")
   check_refused({
       {"in.ply", ascii_ply("property float y\nproperty float z\n", list, ""), "it has no coordinate x"},
       {"in.ply", ascii_ply("property float x\nproperty float z\n", list, ""), "it has no coordinate y"},
-      {"in.ply", ascii_ply("property float x\nproperty float y\n", list, ""), "it has no coordinate z"},
+      {"in.ply", ascii_ply("property float x\nproperty float y\n", list, ""),
+       "it has no coordinate z; x, y and z were expected"},
       {"in.ply", ascii_ply("property float X\nproperty float y\nproperty float z\n", list, ply_points + "3 0 1 2\n"),
        "it has no coordinate x"},
       {"in.ply", ascii_ply(xyz + "property float x\n", list, ""), "its header has two properties of the name 'x'"},
@@ -104,9 +105,17 @@ TEST_CASE("a defect of a PLY file is named with its line or its element")
       {"in.ply", ascii_ply(xyz, list, ply_points + "3 0 1 99999999999999999999\n"), "line 13: in face 0 a whole"},
       {"in.ply", ascii_ply(xyz, list, ply_points + half_facet), "it is incomplete: it ends in face 0"},
       {"in.ply", ascii_ply(xyz, list, "0 0 0\n"), "it is incomplete: it ends in vertex 1"},
-      {"in.ply", ascii_ply(xyz, list, ply_points + "-3 0 1 2\n"), "face 0 has a list 'vertex_indices' whose number"},
+      {"in.ply", ascii_ply(xyz, list, ply_points + "-3 0 1 2\n"),
+       "line 13: face 0 has a list 'vertex_indices' whose number"},
       {"in.ply", ascii_ply(xyz, "property list uchar float vertex_indices\n", ply_points + "3 0 1 1.5\n"),
-       "face 0 has an index that is not a whole number"},
+       "line 13: face 0 has an index that is not a whole number"},
+      {"in.ply", ascii_ply(xyz, list, ply_points + "3 0 1 3\n"),
+       "line 13: face 0 names a vertex that does not exist; there are 3 vertices, counted from 0"},
+      {"in.ply", ascii_ply(xyz, list, ply_points + "3 0 -1 2\n"), "line 13: face 0 names a vertex that does not exist"},
+      {"in.ply",
+       "ply\nformat ascii 1.0\nelement face 1\n" + list + "element vertex 3\n" + xyz + "end_header\n3 0 1 7\n" +
+           ply_points,
+       "line 10: face 0 names a vertex that does not exist; there are 3 vertices, counted from 0"},
       {"in.ply", binary_ply(small).substr(0, 900), "it is incomplete: it ends in vertex "},
       {"in.ply", binary_ply(small).substr(0, 1200), "it is incomplete: it ends in face "},
       {"in.ply", "ply\nformat utf8 1.0\n", "line 2: ascii, binary_little_endian or binary_big_endian was expected"},

@@ -87,23 +87,31 @@ def border_problems(loop, places):
 
 
 def l2_stretch(points, places, faces):
-    """of Sander et al. 2001"""
+    """of Sander et al. 2001: the least and the greatest that it may be, for rounding may take or give height to faces
+    that have hardly any, and area to their images"""
     low = [min(p[k] for p in points) for k in range(3)]
     size = max(max(p[k] for p in points) - low[k] for k in range(3)) or 1
+    rounding = 2 ** -50 * max(max(map(abs, p)) for p in points) / size
     points = [[(p[k] - low[k]) / size for k in range(3)] for p in points]
-    energy = area = 0
+    least = greatest = area = 0
     for face in faces:
         (p, a), (q, b), (r, c) = ((points[v], places[t]) for v, t in face)
-        e, f = ([x - y for x, y in zip(corner, p)] for corner in (q, r))
+        e, f, g = ([x - y for x, y in zip(*ends)] for ends in ((q, p), (r, p), (r, q)))
         normal = [e[k - 2] * f[k - 1] - e[k - 1] * f[k - 2] for k in range(3)]
-        determinant = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-        face_area = math.sqrt(sum(x * x for x in normal)) / 2
-        area += face_area
-        if determinant <= 0:
-            return math.inf
+        face_area = math.hypot(*normal) / 2
+        area_error = rounding * max(math.hypot(*e), math.hypot(*f), math.hypot(*g))
+        left, right = (b[0] - a[0]) * (c[1] - a[1]), (b[1] - a[1]) * (c[0] - a[0])
+        if left <= right:
+            return 0, math.inf
         squares = sum((x * (c[k] - a[k]) - y * (b[k] - a[k])) ** 2 for x, y in zip(e, f) for k in range(2))
-        energy += squares / determinant ** 2 / 2 * face_area
-    return math.sqrt(energy) / area if area > 0 else math.inf
+        squares /= 2 * (left - right) ** 2
+        uv_error = min(0.5, 2 ** -50 * (abs(left) + abs(right)) / (left - right))
+        area += face_area
+        least += squares * (1 - uv_error) ** 2 * max(0, face_area - area_error)
+        greatest += squares / (1 - uv_error) ** 2 * (face_area + area_error)
+    if area == 0:
+        return 0, math.inf
+    return math.sqrt(least) / area, math.sqrt(greatest) / area
 
 
 def check(path):
@@ -120,7 +128,8 @@ def check(path):
         problems += border_problems(loops[0], places)
     else:
         problems.append('the texture has %d borders' % len(loops))
-    return {'faces': len(faces), 'flipped': flipped, 'l2': l2_stretch(points, places, faces), 'problems': problems}
+    least, greatest = l2_stretch(points, places, faces)
+    return {'faces': len(faces), 'flipped': flipped, 'l2': greatest, 'least_l2': least, 'problems': problems}
 
 
 def main():

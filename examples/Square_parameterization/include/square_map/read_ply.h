@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -80,11 +81,11 @@ std::size_t next_ply_index(Values& values, Ply_type type, const std::string& ele
 {
   const double index = values.next(type, element, f);
   const std::string face = "face " + std::to_string(f);
-  if(index != std::floor(index) || !std::isfinite(index))
+  if(!(std::abs(index) < 9007199254740992.) || index != std::floor(index)) // 2^53
     values.refuse(face + " has an index that is not a whole number");
   if(index < 0 || index >= static_cast<double>(vertices))
-    values.refuse(face + " names a vertex that does not exist; there are " + counted(vertices, "vertex", "vertices") +
-                  ", counted from 0");
+    values.refuse(face + " names vertex " + std::to_string(static_cast<std::int64_t>(index)) + "; the file has " +
+                  counted(vertices, "vertex", "vertices") + ", counted from 0");
   return static_cast<std::size_t>(index);
 }
 

@@ -61,7 +61,7 @@ public:
     if(m_options.visitor != nullptr)
       m_options.visitor->start_search(static_cast<std::size_t>(m_number_of_candidates));
     run_corner_search(m_search, problem(), m_evaluation);
-    if(m_evaluation.best_map().uv.rows() == 0 && m_sketches)
+    if(m_evaluation.best_map().uv.rows() == 0 && m_sketches && has_passed(m_sketch_deadline))
       evaluate_best_sketch();
     m_evaluation.release_workers();
     Search_outcome outcome{m_minimizer.finish(m_evaluation.best_map()), m_evaluation.report()};
@@ -86,7 +86,7 @@ private:
       return;
     try {
       m_evaluation({*best});
-    } catch(const Search_cancelled&) { // there is no time left, or the callback wants no more
+    } catch(const Search_cancelled&) { // there is no time left at all, or the callback wants no more
     }
   }
 

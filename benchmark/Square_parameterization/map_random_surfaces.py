@@ -19,14 +19,15 @@ import math
 import os
 import pathlib
 import random
+import resource
+import signal
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-HANG = 300  # seconds
+HANG = 150  # seconds of processor time
 DONE, BAD_COMMAND_LINE, BAD_FILE, UNMAPPABLE, NO_MAP = 0, 2, 3, 4, 5
 STRATEGIES = ['bracketing', 'none', 'quarter-brute-force', 'brute-force', 'step-sampling', 'single-highest', 'many-high',
               'better-of-two', 'hybrid', 'particle-swarm']
@@ -102,25 +103,19 @@ def random_options(choice, surface, folder):
     return options
 
 
+def limit_time():
+    resource.setrlimit(resource.RLIMIT_CPU, (HANG, HANG + 10))
+
+
 def run(command):
-    """exit status (None: it hangs), messages, seconds of processor time"""
+    """exit status, messages, seconds of processor time"""
     with tempfile.TemporaryFile() as messages:
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=messages)
-        end = time.monotonic() + HANG
-        while True:
-            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-            if pid != 0:
-                break
-            if time.monotonic() > end:
-                process.kill()
-                _, status, usage = os.wait4(process.pid, 0)
-                status = None
-                break
-            time.sleep(0.002)
-        process.returncode = 0  # it is waited for
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=messages, preexec_fn=limit_time)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)  # it is waited for
         messages.seek(0)
         text = messages.read().decode(errors='replace').strip()
-    return os.waitstatus_to_exitcode(status) if status is not None else None, text, usage.ru_utime + usage.ru_stime
+    return process.returncode, text, usage.ru_utime + usage.ru_stime
 
 
 def call_checker(checker, path):
@@ -176,10 +171,12 @@ class Outcome:
 
     def find_problems(self, files):
         problems = []
-        if self.status is None:
+        if self.status == 128 + signal.SIGXCPU:
             problems.append('hang')
-        elif self.status not in (DONE, BAD_COMMAND_LINE, UNMAPPABLE, NO_MAP):
+        elif self.status not in (DONE, BAD_COMMAND_LINE, BAD_FILE, UNMAPPABLE, NO_MAP):
             problems.append('crash: exit status %d' % self.status)
+        elif self.status == BAD_FILE and '--seams' not in self.options:
+            problems.append('refused a file')
         elif self.status == BAD_COMMAND_LINE and not {'--corners', '--seams', '--component'} & set(self.options):
             problems.append('refused options')
         if files != ({'map.obj', 'report.json'} if self.status == DONE else set()):
@@ -202,12 +199,13 @@ def print_table(outcomes):
     rows = [('default settings', [o for o in outcomes if o.is_default]),
             ('random options', [o for o in outcomes if not o.is_default])]
     print('\n%-18s %6s %7s %8s %8s %7s %6s %6s %6s %8s %8s' %
-          ('', 'runs', 'mapped', 'refused', 'status 2', 'no map', 'wrong', 'late', 'median', 'longest', 'L2 > 100'))
+          ('', 'runs', 'mapped', 'refused', 'usage', 'no map', 'wrong', 'late', 'median', 'longest', 'L2 > 100'))
     for name, row in rows:
         statuses = collections.Counter(o.status for o in row)
         seconds = [o.seconds for o in row] or [0]
         print('%-18s %6d %7d %8d %8d %7d %6d %6s %6.2f %8.2f %8d' %
-              (name, len(row), statuses[DONE], statuses[UNMAPPABLE], statuses[BAD_COMMAND_LINE], statuses[NO_MAP],
+              (name, len(row), statuses[DONE], statuses[UNMAPPABLE],
+               statuses[BAD_COMMAND_LINE] + statuses[BAD_FILE], statuses[NO_MAP],
                sum(bool(o.problems) for o in row),
                sum(o.is_late for o in row) if name == 'default settings' else '', statistics.median(seconds),
                max(seconds), sum(o.report is not None and o.report['best']['l2'] > 100 for o in row)))

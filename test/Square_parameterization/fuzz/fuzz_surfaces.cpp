@@ -6,6 +6,7 @@
 
 #include "Random_surface.h"
 #include "map_soup.h"
+#include "random_choices.h"
 
 #include <boost/program_options.hpp>
 
@@ -24,23 +25,6 @@ struct Options
   double seconds = 0;
   std::string folder;
 };
-
-/// the default settings, or others at random
-Choices_of_bytes random_choices(unsigned int seed, unsigned int threads)
-{
-  // the balanced energy with a sliding border, bracketing, the best cut, and polygons split
-  std::vector<std::uint8_t> bytes{11, 0, 64};
-  Random_numbers random(seed + 1000000000u); // apart from the numbers of the surface
-  if(random(0, 1) < 0.5) {
-    bytes.resize(7);
-    for(std::uint8_t& byte : bytes)
-      byte = static_cast<std::uint8_t>(random.below(256));
-  }
-  Byte_source source(bytes.data(), bytes.size());
-  Choices_of_bytes choices(source);
-  choices.options.search_options.number_of_threads = threads;
-  return choices;
-}
 
 void write_off(const Surface_soup& soup, const std::string& path)
 {

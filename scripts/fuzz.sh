@@ -1,14 +1,21 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the fuzzers and runs each for five minutes, or for the given number of seconds.
 # Inputs that are worth keeping, and those that found something, are left in build/fuzz.
+#
+# With address and undefined behaviour sanitizers: fuzz_readers, fuzz_maps, fuzz_surfaces, and fuzz_command.py with
+# square_map. With the thread sanitizer: the tests of threads and searches, fuzz_surfaces on four threads, and
+# fuzz_command.py with square_map.
 set -euo pipefail
-extra_packages=(clang)
+extra_packages=(clang python3 catch2)
 . "$(dirname "${BASH_SOURCE[0]}")/set_up.sh"
 seconds=${1:-300}
 
 cmake --preset fuzz
 cmake --build --preset fuzz
+cmake --preset thread-sanitizer
+cmake --build --preset thread-sanitizer
 meshes=$PWD/build/fuzz/data/meshes # absent when libcgal-demo is too
+fuzz_command=$PWD/test/Square_parameterization/fuzz/fuzz_command.py
 cd build/fuzz
 
 # small real files give the readers a start: the first byte chooses the format
@@ -27,3 +34,18 @@ words=../../test/Square_parameterization/fuzz/readers.dict
 common=(-max_total_time="$seconds" -timeout=600 -rss_limit_mb=4096 -len_control=0 -print_final_stats=1)
 bin/fuzz_readers "${common[@]}" -max_len=2048 -dict="$words" corpus_readers
 bin/fuzz_maps "${common[@]}" -max_len=160 corpus_maps
+
+# other surfaces and moments each time; every line names its seed, which gives the same ones again
+seed=$(date +%s)
+disturbances=(--disturbances signals,reader,time-limit --seed "$seed" --seconds "$seconds")
+bin/fuzz_surfaces --seed "$seed" --seconds "$seconds"
+"$fuzz_command" bin/square_map "${disturbances[@]}"
+
+# the thread sanitizer of g++ 12 wants the addresses that a kernel gives without randomization
+fixed=()
+! setarch -R true 2> /dev/null || fixed=(setarch -R)
+cd ../thread_sanitizer
+"${fixed[@]}" bin/flat_core_tests "*team*,*thread*"
+"${fixed[@]}" bin/search_tests
+"${fixed[@]}" bin/random_surfaces --seed "$seed" --seconds "$seconds" --threads 4 --faces 100
+"${fixed[@]}" "$fuzz_command" bin/square_map "${disturbances[@]}"

@@ -18,6 +18,7 @@
 
 #include <iostream>
 #include <numeric>
+#include <system_error>
 
 namespace {
 
@@ -289,6 +290,8 @@ int main(int argc, char** argv)
     return fail(error.what(), UNMAPPABLE);
   } catch(const std::bad_alloc&) {
     return fail(OUT_OF_MEMORY, UNMAPPABLE);
+  } catch(const std::system_error& error) { // a file system, too, may have no memory for its answer
+    return fail(error.code() == std::errc::not_enough_memory ? OUT_OF_MEMORY : error.what(), UNMAPPABLE);
   } catch(const std::exception& error) {
     return fail(error.what(), UNMAPPABLE);
   }

@@ -197,7 +197,7 @@ TEST_CASE("a face that names no vertex of the file is refused")
     soup.faces[7][1] = v;
     check_refusal_of_text("in.off", off(soup), BAD_FILE);
     const std::string sentence =
-        "1 face names a vertex that does not exist (face 7 names vertex " + std::to_string(v) + " of ";
+        "face 7 names vertex " + std::to_string(v) + "; the file has " + std::to_string(small.points.size());
     check_refusal_of_text("in.ply", ply(soup), BAD_FILE, sentence);
     check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE, sentence);
     if(v > 0 || v == -100000) // small negative numbers of OBJ count from the last vertex

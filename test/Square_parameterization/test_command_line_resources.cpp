@@ -38,6 +38,33 @@ TEST_CASE("a run with more threads than there is room for makes the map with tho
   CHECK(map_with({"--threads", "500"}, limited(RLIMIT_AS, 170 << 20)) == expected);
 }
 
+TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and nothing is left")
+{
+  const Temporary_folder folder;
+  const Soup soup = sheet(6, 6);
+  const std::vector<std::string> inputs{folder.add("in.off", off(soup)), folder.add("in.ply", binary_ply(soup))};
+  const std::set<std::string> names = folder.file_names();
+  for(const std::string& input : inputs)
+    for(const char* count : {"1", "-1"})
+      for(int from = 0; from < 4000; from += 1 + from / 30) {
+        const Finished_process result = square_map(
+            {input, "-q", "-o", folder / "map.obj", "--json", folder / "report.json", "--threads", "2"}, "", [&] {
+              setenv("LD_PRELOAD", FAILING_MALLOC, 1);
+              setenv("FAILING_MALLOC_FROM", std::to_string(from).c_str(), 1);
+              setenv("FAILING_MALLOC_COUNT", count, 1);
+            });
+        INFO(count << " from " << from << ": " << result.err);
+        if(result.status == DONE) { // the library did without, or there was nothing to fail any more
+          std::filesystem::remove(folder / "map.obj");
+          std::filesystem::remove(folder / "report.json");
+        } else {
+          CHECK(result.status == UNMAPPABLE);
+          CHECK(is_one_message(result.err, "not enough memory"));
+        }
+        CHECK(folder.file_names() == names);
+      }
+}
+
 TEST_CASE("lack of memory ends in a sentence, and nothing is left")
 {
   const Temporary_folder folder;

@@ -6,7 +6,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <sys/wait.h>
+
+#include <csignal>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -17,6 +21,20 @@ namespace {
 square_map::Output_set::Write_text text(const char* words)
 {
   return [words](std::ostream& stream) { stream << words; };
+}
+
+/// the exit status of a process that does something
+int status_of(const std::function<void()>& act)
+{
+  const pid_t child = fork();
+  if(child == 0) {
+    square_map::run_phase = square_map::Run_phase::WORKING; // other tests have committed
+    act();
+    _exit(7);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 } // namespace
@@ -67,4 +85,30 @@ TEST_CASE("an output whose text cannot be made leaves all as it was")
   }
   CHECK(read_file(folder / "first") == "old first");
   CHECK(folder.file_names() == std::set<std::string>{"first"});
+}
+
+TEST_CASE("no signal ends the process while the outputs take their places, the second one does when they have them")
+{
+  using namespace square_map;
+  const auto committing = [](int signals) {
+    handle_signals();
+    begin_commit();
+    for(int i = 0; i < signals; ++i)
+      raise(SIGTERM);
+  };
+  CHECK(status_of([] {
+          handle_signals();
+          raise(SIGTERM);
+        }) == 128 + SIGTERM);
+  CHECK(status_of([&] { committing(3); }) == 7);
+  CHECK(status_of([&] {
+          committing(1);
+          end_commit();
+          raise(SIGINT);
+        }) == 128 + SIGINT);
+  CHECK(status_of([&] {
+          committing(0);
+          end_commit();
+          raise(SIGINT);
+        }) == 7);
 }

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
+
 using namespace CGAL_ext;
 using Catch::Matchers::Contains;
 
@@ -208,6 +210,25 @@ TEST_CASE("a cancelled search delivers the best map so far")
   CHECK(result.search.is_cancelled);
   CHECK(result.search.evaluations == 10);
   CHECK(uv.size() == 36);
+}
+
+TEST_CASE("a deadline that has passed leaves the mesh as it was, one that passes gives the best map so far")
+{
+  Square_map_options<Surface_mesh> options;
+  options.search = Brute_force_corner_search();
+  options.search_options.number_of_threads = 1;
+  options.search_options.deadline = std::chrono::steady_clock::now();
+  const auto [late, no_uv] = map_onto_square(saddle(5), options);
+  CHECK(late.status == SMP::ERROR_NO_1_TO_1_MAPPING);
+  CHECK(late.message == "the search was stopped after 0 candidates, none with a one-to-one map");
+  CHECK(late.search.is_cancelled);
+  CHECK(no_uv.empty());
+  options.search_options.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  const auto [result, uv] = map_onto_square(saddle(60), options); // all candidates take some ten seconds
+  CHECK(result.status == SMP::OK);
+  CHECK(result.search.is_cancelled);
+  CHECK(result.search.evaluations >= 1);
+  CHECK(result.search.evaluations < 240);
 }
 
 TEST_CASE("a search that is cancelled at the first question delivers nothing, and says so")

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "fuzz/Random_surface.h"
 #include "fuzz/map_bytes.h"
+#include "fuzz/random_choices.h"
 #include "test_meshes.h"
 
 #include <catch2/catch.hpp>
@@ -61,6 +63,21 @@ TEST_CASE("surfaces with faces a rounding error high, of which maps were once lo
   CHECK(map_hexadecimal(
             "0100000000000002020200000004c6c206a281d0e226041d05065ed05ae9da06dffcdbdf9807158d2e06c7feb9188b00101b"
             "03c4ce048c5803215900c38307107f180557ea02b25300048ea90448050121f61402739b00050000") == Outcome::ONE_TO_ONE);
+}
+
+TEST_CASE("surfaces with nails, handles, spikes, snapped coordinates and the like are mapped one-to-one or refused")
+{
+  std::map<Outcome, unsigned int> outcomes;
+  for(unsigned int seed = 0; seed < 80; ++seed) {
+    const Random_surface surface(seed, 30);
+    if(surface.soup().faces.size() > 100) // with all its nails and handles
+      continue;
+    INFO("seed " << seed << ": " << surface.name());
+    Outcome outcome = Outcome::REFUSED;
+    REQUIRE_NOTHROW(outcome = map_soup(surface.soup(), random_choices(seed, 1)).outcome);
+    ++outcomes[outcome];
+  }
+  CHECK(outcomes[Outcome::ONE_TO_ONE] >= 30);
 }
 
 TEST_CASE("many random surfaces are mapped one-to-one or refused", "[.long]")

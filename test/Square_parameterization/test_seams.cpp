@@ -16,6 +16,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <iterator>
 #include <map>
 
@@ -168,6 +169,20 @@ TEST_CASE("a disk gets no seams, a surface that may not be cut is refused")
   options.max_cut_length = -1;
   CHECK(mark_seams(sphere, none.edge_map(), none.vertex_map(), parameters::options(options)).status ==
         SMP::ERROR_WRONG_PARAMETER);
+}
+
+TEST_CASE("a deadline ends the comparison of cuts: the seams make a disk, and the report says so")
+{
+  for(int seconds : {-1, 3600}) {
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(ellipsoid(3, 2));
+    Seams<Surface_mesh> seams;
+    Seam_options options;
+    options.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+    const Seam_result result = mark_seams(mesh, seams.edge_map(), seams.vertex_map(), parameters::options(options));
+    REQUIRE(result.status == SMP::OK);
+    CHECK(result.cut.is_cancelled == (seconds < 0));
+    CHECK(is_disk(cut_along_seams(mesh, seams.edge_map())));
+  }
 }
 
 TEST_CASE("edges that are marked before stay seams")

@@ -62,7 +62,8 @@ struct Seam_options : Cut_options
   double balance = Balanced_minimization().balance;
   unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
 
-  /// `BEST`: when it has passed, no more cuts are compared, and the best so far is taken
+  /// `BEST`: when it has passed, no more cuts are compared, and the best so far is taken; or any cut, when the surface
+  /// could not even be simplified until then
   std::optional<std::chrono::steady_clock::time_point> deadline;
 
   /// indicates whether all numbers are in their range

@@ -20,6 +20,7 @@ enum class Stop_reason
   NO_LOWER_MAP,       ///< no step down the gradient is lower: rounding is reached
   MAXIMUM_ITERATIONS, ///< the given number of iterations was reached
   CANNOT_SOLVE,       ///< a linear system could not be solved; the best map before it, if any, is kept
+  DEADLINE,           ///< the deadline of the search has passed: the map so far is kept
   INFEASIBLE_BORDER   ///< an interior edge has both ends on one side of the square: no one-to-one map exists
 };
 

@@ -87,7 +87,7 @@ public:
         return SMP::ERROR_WRONG_PARAMETER;
       internal::check_corner_search(m_search);
       const auto [patch, vertices] = internal::make_face_graph_patch(mesh, bhd, get(CGAL::vertex_point, mesh));
-      const internal::Search_outcome outcome = search(patch, *internal::make_minimizer(patch, m_objective));
+      const internal::Search_outcome outcome = search(patch, *internal::make_minimizer(patch, m_objective, deadline()));
       if(!outcome.report.best_candidate)
         return SMP::ERROR_NO_1_TO_1_MAPPING;
       internal::write_uv(internal::select(vertices, patch.border), internal::border_coordinates(patch, outcome.map.uv),
@@ -110,6 +110,9 @@ public:
       m_options.visitor->end_minimization(outcome.map.report);
     return outcome;
   }
+
+  /// when the search, and the minimization of its maps, is to end
+  const internal::Deadline& deadline() const { return m_options.deadline; }
   /// \endcond
 
 private:

@@ -27,9 +27,10 @@ struct Square_search_options
                                       ///< large (1 to 3 kB a vertex); the result is the same for any number
   Search_visitor* visitor = nullptr;  ///< is told of the search and of the minimization of the map; may be null
 
-  /// when it has passed, no evaluation and no sketch begins, and the best candidate so far is delivered, marked as
-  /// cancelled, as when the callback stops the search. Of the time until then `parameterize_onto_square()` spends half
-  /// on the decision where to cut, at most. The result then depends on the speed of the machine.
+  /// when it has passed, no evaluation and no sketch begins, what is being minimised is left as it is, and the best
+  /// candidate so far is delivered, marked as cancelled, as when the callback stops the search. Of the time until then
+  /// `parameterize_onto_square()` spends half on the decision where to cut, at most, and the search half of the rest on
+  /// sketches. The result then depends on the speed of the machine.
   std::optional<std::chrono::steady_clock::time_point> deadline;
 
   /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], and before each

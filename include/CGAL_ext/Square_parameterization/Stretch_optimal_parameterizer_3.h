@@ -73,8 +73,8 @@ public:
   {
     if(!m_minimization.is_valid())
       return CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER;
-    const auto make_minimizer = [this](const internal::Patch& patch) {
-      return internal::make_minimizer(patch, m_minimization);
+    const auto make_minimizer = [this](const internal::Patch& patch, const internal::Deadline& deadline) {
+      return internal::make_minimizer(patch, m_minimization, deadline);
     };
     return internal::parameterize_with(make_minimizer, m_border, mesh, bhd, uvmap, vimap, vpmap);
   }

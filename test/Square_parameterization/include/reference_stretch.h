@@ -24,7 +24,9 @@ inline Reference_triangle reference_triangle(const std::array<Eigen::Vector3d, 3
                                              const std::array<Eigen::Vector2d, 3>& p)
 {
   typedef Eigen::Matrix<long double, 3, 1> Vector;
-  const Vector q1 = q[0].cast<long double>(), q2 = q[1].cast<long double>(), q3 = q[2].cast<long double>();
+  // the stretch does not depend on the origin: in the first point nothing is lost by cancellation
+  const Vector origin = q[0].cast<long double>(), q1 = Vector::Zero(), q2 = q[1].cast<long double>() - origin,
+               q3 = q[2].cast<long double>() - origin;
   const long double s1 = p[0].x(), t1 = p[0].y(), s2 = p[1].x(), t2 = p[1].y(), s3 = p[2].x(), t3 = p[2].y();
   const long double area = ((s2 - s1) * (t3 - t1) - (s3 - s1) * (t2 - t1)) / 2;
   const Vector Ss = (q1 * (t2 - t3) + q2 * (t3 - t1) + q3 * (t1 - t2)) / (2 * area);

@@ -4,6 +4,7 @@
 #ifndef SQUARE_MAP_COMMAND_LINE_H
 #define SQUARE_MAP_COMMAND_LINE_H
 
+#include "Output_target.h"
 #include "Texture.h"
 #include "option_effects.h"
 #include "write_map.h"
@@ -83,8 +84,12 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   const fs::path path_a = is_stream(a) ? "/dev/stdout" : a, path_b = is_stream(b) ? "/dev/stdout" : b;
   if(fs::is_character_file(path_a, error)) // a terminal, or /dev/null: several may write there
     return false;
-  return fs::weakly_canonical(fs::absolute(path_a), error) == fs::weakly_canonical(fs::absolute(path_b), error) ||
-         fs::equivalent(path_a, path_b, error);
+  const auto full_path = [&error](const fs::path& path) {
+    fs::path result = fs::weakly_canonical(fs::absolute(path), error);
+    throw_if_out_of_memory(error); // two paths that are not known are not the same
+    return result;
+  };
+  return full_path(path_a) == full_path(path_b) || fs::equivalent(path_a, path_b, error);
 }
 
 /// refuses a file whose extension is none of those that are known

@@ -44,10 +44,12 @@ public:
       } catch(const Output_error&) {
         for(std::size_t k = i + 1; k-- > 0;)
           m_outputs[k].file->restore();
+        end_commit();
         throw;
       }
     for(const Output& output : m_outputs)
       output.file->forget_former();
+    end_commit();
   }
 
 private:

@@ -10,9 +10,11 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace square_map {
 
@@ -25,9 +27,17 @@ struct Output_error : std::runtime_error
   {}
 };
 
+/// lack of memory is no fault of a file: it ends as any other
+inline void throw_if_out_of_memory(const std::error_code& error)
+{
+  if(error == std::errc::not_enough_memory)
+    throw std::bad_alloc();
+}
+
 /// why a file cannot be opened, written or renamed: the words for a value of `errno`
 inline std::string reason_of(int error)
 {
+  throw_if_out_of_memory({error, std::generic_category()});
   switch(error) {
   case ENOENT:
   case ENOTDIR:
@@ -67,9 +77,11 @@ inline bool names_open_file(std::filesystem::path path)
   std::error_code error;
   for(int links = 0; links < 40 && fs::is_symlink(path, error); ++links) {
     const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), error);
+    throw_if_out_of_memory(error);
     if(folder == "/dev" || folder.string().rfind("/proc/", 0) == 0)
       return true;
     path = folder / fs::read_symlink(path, error);
+    throw_if_out_of_memory(error);
   }
   return false;
 }
@@ -95,7 +107,11 @@ inline Output_target find_output_target(const std::string& name)
       throw Output_error(name, "it is read-only");
     if(faccessat(AT_FDCWD, name.c_str(), W_OK, AT_EACCESS) != 0)
       throw Output_error(name, reason_of(errno));
-    return {fs::canonical(name), false};
+    std::error_code error;
+    fs::path path = fs::canonical(name, error);
+    if(error)
+      throw Output_error(name, reason_of(error.value()));
+    return {std::move(path), false};
   }
   if(errno != ENOENT)
     throw Output_error(name, reason_of(errno));
@@ -103,6 +119,7 @@ inline Output_target find_output_target(const std::string& name)
   if(fs::is_symlink(name, error))
     throw Output_error(name, "it is a link to a file that does not exist");
   const fs::path path = fs::absolute(name), folder = fs::canonical(path.parent_path(), error);
+  throw_if_out_of_memory(error);
   if(error || path.filename().empty())
     throw Output_error(name, reason_of(ENOENT));
   return {folder / path.filename(), false};

@@ -47,6 +47,9 @@ public:
 
   std::size_t bytes_left() const { return m_scanner.bytes_left(); }
 
+  /// refuses what was read last, with its line
+  [[noreturn]] void refuse(const std::string& message) const { m_scanner.refuse(message); }
+
 private:
   Text_scanner m_scanner;
 };
@@ -94,6 +97,8 @@ public:
   void end_element(const std::string&, std::size_t) {}
 
   std::size_t bytes_left() const { return m_scanner.bytes_left(); }
+
+  [[noreturn]] void refuse(const std::string& message) const { throw Malformed_file(message); }
 
 private:
   Byte_scanner m_scanner;

@@ -110,7 +110,8 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("threads", po::value(&given.threads)->value_name("N"),
       "threads; 0 (default) for all cores, fewer on large surfaces");
   add("time-limit", po::value(&given.time_limit)->value_name("SECONDS"),
-      "then no cut and no candidate is begun any more: the best map so far, or exit status 5 when there is none");
+      "then no cut and no candidate is begun any more, and a map in work is left: the best map so far, or exit status "
+      "5 when there is none");
   add("corners", po::value(&given.corners)->value_name("a,b,c,d"),
       "four border vertices, counter-clockwise, counted from 0: no search; one that is cut stands for its copies");
   add("json", po::value(&line.json)->value_name("FILE"), "report; - for standard output");

@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ inline std::optional<double> parse_real(std::string_view word)
   const char* const end = digits.data() + digits.size();
   double x = 0;
   const auto [stop, error] = std::from_chars(digits.data(), end, x);
+  if(error == std::errc::not_enough_memory)
+    throw std::bad_alloc();
   if(stop != end || error == std::errc::invalid_argument)
     return {};
   if(error == std::errc::result_out_of_range) // too large or too small: only strtod() says which

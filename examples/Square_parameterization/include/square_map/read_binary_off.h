@@ -39,10 +39,10 @@ inline std::optional<Off_header> parse_off_keyword(std::string_view keyword)
   return Off_header{has(1), has(2), has(3), has(4), has(5), match[6] == "OFF"};
 }
 
-inline void check_off_dimension(std::size_t dimension)
+/// what is wrong with a dimension; empty for nothing
+inline std::string dimension_complaint(std::size_t dimension)
 {
-  if(dimension != 3)
-    throw Malformed_file("its vertices have dimension " + std::to_string(dimension) + "; 3 was expected");
+  return dimension == 3 ? "" : "its vertices have dimension " + std::to_string(dimension) + "; 3 was expected";
 }
 
 /// how the colors of a binary OFF file are stored, on which the programs that write it do not agree
@@ -135,7 +135,9 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, 
 {
   Byte_scanner scanner(bytes, boost::endian::order::big);
   if(header.has_dimension)
-    check_off_dimension(next_off_count(scanner, "header number", 0));
+    if(const std::string complaint = dimension_complaint(next_off_count(scanner, "header number", 0));
+       !complaint.empty())
+      throw Malformed_file(complaint);
   header.vertices = next_off_count(scanner, "header number", 1);
   header.faces = next_off_count(scanner, "header number", 2);
   if(header.has_edges)

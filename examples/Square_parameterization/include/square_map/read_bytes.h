@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <new>
 #include <string>
 
 namespace square_map {
@@ -71,6 +72,8 @@ public:
   static std::string reason_of(int error)
   {
     switch(error) {
+    case ENOMEM:
+      throw std::bad_alloc();
     case ENOENT:
       return "there is no such file";
     case EACCES:

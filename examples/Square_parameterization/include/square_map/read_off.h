@@ -33,7 +33,8 @@ inline void read_off_counts(Text_scanner& scanner, Off_header& header)
     return static_cast<std::size_t>(*count);
   };
   if(header.has_dimension)
-    check_off_dimension(next_count("the dimension"));
+    if(const std::string complaint = dimension_complaint(next_count("the dimension")); !complaint.empty())
+      scanner.refuse(complaint);
   header.vertices = next_count("the number of vertices");
   header.faces = next_count("the number of faces");
   if(!header.has_edges || (scanner.is_line_end() && !scanner.find_word()))

@@ -36,8 +36,8 @@ std::size_t next_ply_size(Values& values, const Ply_property& property, const st
 {
   const double size = values.next(property.size_type, element, index);
   if(!(size >= 0) || size > 4294967295. || size != std::floor(size))
-    throw Malformed_file(element + ' ' + std::to_string(index) + " has a list " + in_quotes(property.name) +
-                         " whose number of entries is not a number from 0");
+    values.refuse(element + ' ' + std::to_string(index) + " has a list " + in_quotes(property.name) +
+                  " whose number of entries is not a number from 0");
   return static_cast<std::size_t>(size);
 }
 
@@ -77,7 +77,7 @@ void read_ply_points(Values& values, const Ply_element& element, CGAL_ext::inter
   for(int axis = 0; axis < 3; ++axis) {
     const std::size_t k = ply_property_of(element, names[axis]);
     if(k == element.properties.size())
-      throw Malformed_file(std::string("it has no coordinate ") + names[axis]);
+      throw Malformed_file(std::string("it has no coordinate ") + names[axis] + "; x, y and z were expected");
     if(element.properties[k].is_list)
       throw Malformed_file(std::string("its coordinate ") + names[axis] + " is a list; a number was expected");
     axes[k] = axis;
@@ -103,10 +103,26 @@ void read_ply_points(Values& values, const Ply_element& element, CGAL_ext::inter
   }
 }
 
-/// reads the polygons: the list vertex_indices, or vertex_index, of each face. A negative index becomes a large one,
-/// which no vertex has.
+/// the index of a vertex in a face
 template <class Values>
-void read_ply_faces(Values& values, const Ply_element& element, CGAL_ext::internal::Surface_soup& soup)
+std::size_t next_ply_index(Values& values, Ply_type type, const std::string& element, std::size_t f,
+                           std::size_t vertices)
+{
+  const double index = values.next(type, element, f);
+  const std::string face = "face " + std::to_string(f);
+  if(!(std::abs(index) < 9007199254740992.) || index != std::floor(index)) // 2^53
+    values.refuse(face + " has an index that is not a whole number");
+  if(index < 0 || index >= static_cast<double>(vertices))
+    values.refuse(face + " names vertex " + std::to_string(static_cast<std::int64_t>(index)) + "; the file has " +
+                  counted(vertices, "vertex", "vertices") + ", counted from 0");
+  return static_cast<std::size_t>(index);
+}
+
+/// reads the polygons: the list vertex_indices, or vertex_index, of each face
+/// \param vertices how many there are, before or after the faces
+template <class Values>
+void read_ply_faces(Values& values, const Ply_element& element, std::size_t vertices,
+                    CGAL_ext::internal::Surface_soup& soup)
 {
   std::size_t indices = ply_property_of(element, "vertex_indices");
   if(indices == element.properties.size())
@@ -124,12 +140,8 @@ void read_ply_faces(Values& values, const Ply_element& element, CGAL_ext::intern
       }
       const std::size_t size = next_ply_size(values, property, element.name, f);
       face.reserve(std::min(size, values.bytes_left()));
-      for(std::size_t i = 0; i < size; ++i) {
-        const double index = values.next(property.type, element.name, f);
-        if(!(std::abs(index) < 9007199254740992.) || index != std::floor(index))
-          throw Malformed_file("face " + std::to_string(f) + " has an index that is not a whole number");
-        face.push_back(static_cast<std::size_t>(static_cast<std::int64_t>(index)));
-      }
+      for(std::size_t i = 0; i < size; ++i)
+        face.push_back(next_ply_index(values, property.type, element.name, f, vertices));
     }
     values.end_element(element.name, f);
   }
@@ -140,6 +152,9 @@ template <class Values>
 CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& header, Vertex_colors* colors)
 {
   CGAL_ext::internal::Surface_soup soup;
+  const std::size_t vertices = std::find_if(header.elements.begin(), header.elements.end(), [](const auto& element) {
+                                 return element.name == "vertex";
+                               })->count; // it is there
   bool has_vertices = false, has_faces = false;
   for(const Ply_element& element : header.elements) {
     if(has_vertices && has_faces)
@@ -148,7 +163,7 @@ CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& 
       read_ply_points(values, element, soup, colors);
       has_vertices = true;
     } else if(element.name == "face") {
-      read_ply_faces(values, element, soup);
+      read_ply_faces(values, element, vertices, soup);
       has_faces = true;
     } else
       for(std::size_t i = 0; i < element.count; ++i) {

@@ -20,7 +20,8 @@ namespace square_map {
 enum class Run_phase
 {
   WORKING,    ///< no output has been touched: a signal ends the process
-  COMMITTING, ///< the outputs take their places, or have: a signal is passed over, a second one ends the process
+  COMMITTING, ///< the outputs take their places, in a moment that must not be torn: signals are passed over
+  COMMITTED,  ///< the outputs have their places: the first signal is passed over, a second one ends the process
   ENDING      ///< by a signal
 };
 
@@ -32,9 +33,12 @@ extern "C" inline void square_map_end_by_signal(int signal)
 {
   static std::atomic<bool> was_passed_over{false};
   Run_phase phase = Run_phase::WORKING;
-  if(!run_phase.compare_exchange_strong(phase, Run_phase::ENDING) && phase == Run_phase::COMMITTING &&
-     !was_passed_over.exchange(true))
+  run_phase.compare_exchange_strong(phase, Run_phase::ENDING);
+  const bool is_first = !was_passed_over && phase != Run_phase::WORKING && phase != Run_phase::ENDING;
+  if(is_first || phase == Run_phase::COMMITTING) {
+    was_passed_over = true;
     return;
+  }
   temporary_files.remove_all();
   const char* const message = signal == SIGINT    ? "square_map: interrupted by SIGINT; nothing was written\n"
                               : signal == SIGTERM ? "square_map: ended by SIGTERM; nothing was written\n"
@@ -65,13 +69,19 @@ inline void handle_signals()
     sigaction(signal, &action, nullptr);
 }
 
-/// from here on a first signal is passed over; does not return when one has already come
+/// from here on signals are passed over; does not return when one has already come
 inline void begin_commit()
 {
   Run_phase phase = Run_phase::WORKING;
   if(!run_phase.compare_exchange_strong(phase, Run_phase::COMMITTING) && phase == Run_phase::ENDING)
     for(;;)
       pause();
+}
+
+/// a second signal ends the process again
+inline void end_commit()
+{
+  run_phase = Run_phase::COMMITTED;
 }
 
 /// makes sure that standard input, output and error are open: where the caller has closed one, the next file that is

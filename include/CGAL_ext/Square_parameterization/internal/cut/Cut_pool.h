@@ -106,8 +106,10 @@ public:
       if(is_new)
         m_known.push_back(cut);
     }
-    m_team(m_known.size() - first,
-           [&](std::size_t i) { m_known[first + i].score = score_cut(m_surface, m_known[first + i].cut, m_scoring); });
+    m_team(m_known.size() - first, [&](std::size_t i) {
+      if(first + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
+        m_known[first + i].score = score_cut(m_surface, m_known[first + i].cut, m_scoring);
+    });
     for(std::size_t i = first; i < m_known.size(); ++i)
       m_vertices_mapped += m_known[i].score.vertices;
     for(std::size_t i = 0; i < cuts.size(); ++i)
@@ -134,11 +136,13 @@ public:
   long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
 
   /// good cuts of different lengths, the shortest first: the best of each of `selected` equal ranges of length, unless
-  /// its score is far from the best
+  /// its score is far from the best. The best alone when the deadline has passed.
   std::vector<Cut> selection() const
   {
     const int count = numbers().selected;
     const Scored_cut& best = *std::min_element(m_known.begin(), m_known.end(), is_better);
+    if(has_passed(m_deadline))
+      return {best.cut};
     double shortest = best.score.length, longest = shortest;
     std::vector<const Scored_cut*> good, best_of_range(count, nullptr);
     for(const Scored_cut& known : m_known)

@@ -24,29 +24,32 @@ namespace CGAL_ext {
 namespace internal {
 
 /// a copy of about \p faces triangles, and more when there are many handles and holes; nothing when the surface has
-/// hardly more, or cannot be simplified
+/// hardly more, or cannot be simplified in time
 inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces,
-                                                       const Cut_numbers& numbers = {})
+                                                       const Cut_numbers& numbers = {}, const Deadline& deadline = {})
 {
   faces += numbers.faces_per_loop * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
   if(surface.number_of_faces() <= numbers.least_reduction * faces)
     return std::nullopt;
-  return decimate_surface(surface, faces, numbers.very_fine, numbers.still_fine);
+  return decimate_surface(surface, faces, numbers.very_fine, numbers.still_fine, deadline);
 }
 
 /// the stretch of the opened surface when its corners are searched, among few, and its map is minimised as that to be
 /// delivered, but not to its tolerance; infinite when there is no map
+/// \param deadline when it has passed the best map so far tells
 inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, double balance,
-                               double tolerance = Cut_numbers().judging_tolerance)
+                               double tolerance = Cut_numbers().judging_tolerance, const Deadline& deadline = {})
 {
   Balanced_minimization minimization;
   minimization.balance = balance;
   minimization.tolerance = minimization.search_tolerance = tolerance;
   Square_search_options options;
   options.number_of_threads = 1;
+  options.deadline = deadline;
   try {
     const Patch patch = patch_of_cut(surface, cut);
-    return search_square_map(patch, *make_minimizer(patch, minimization), Few_corners_search(), options).map.report.l2;
+    const auto minimizer = make_minimizer(patch, minimization, deadline);
+    return search_square_map(patch, *minimizer, Few_corners_search(), options).map.report.l2;
   } catch(const Unmappable&) {
     return std::numeric_limits<double>::infinity();
   }
@@ -54,11 +57,12 @@ inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, 
 
 /// scores the cuts by their searched stretch
 inline void judge(const Triangle_surface& surface, const Cut_score_options& scoring, Thread_team& team,
-                  std::vector<Scored_cut>& cuts, Cut_report& report)
+                  const Deadline& deadline, std::vector<Scored_cut>& cuts, Cut_report& report)
 {
   team(cuts.size(), [&](std::size_t i) {
     Cut_score& score = cuts[i].score;
-    score.stretch = searched_stretch(surface, cuts[i].cut, scoring.balance, scoring.numbers.judging_tolerance);
+    score.stretch =
+        searched_stretch(surface, cuts[i].cut, scoring.balance, scoring.numbers.judging_tolerance, deadline);
     score.score = scoring.score(score.stretch, score.length);
     cuts[i].kind = Cut_step::JUDGED;
   });
@@ -92,13 +96,28 @@ public:
   /// for a surface of any size: large ones are decided on by a simplified copy
   Cut operator()(const Triangle_surface& surface)
   {
-    const std::optional<Triangle_surface> copy = simplified_copy(surface, numbers().decision_faces, numbers());
+    const std::optional<Triangle_surface> copy =
+        simplified_copy(surface, numbers().decision_faces, numbers(), m_deadline);
+    if(has_passed(m_deadline))
+      return uncompared_cut(surface);
     m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
     return copy ? lift_cut(*copy, decide(*copy, numbers().copy_tolerance), surface, numbers())
                 : decide(surface, numbers().judging_tolerance);
   }
 
 private:
+  /// a cut that is found at once, or none when the surface is a disk
+  Cut uncompared_cut(const Triangle_surface& surface)
+  {
+    m_report.is_cancelled = true;
+    Cut cut(surface);
+    if(!surface.is_disk()) {
+      initial_cut(surface, 0, cut);
+      reroute_cut(surface, cut);
+    }
+    return cut;
+  }
+
   const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
   Cut_pool make_pool(const Triangle_surface& surface)
@@ -127,7 +146,7 @@ private:
     if(surface.is_disk() && std::none_of(cuts.begin(), cuts.end(), is_empty)) // a cut that is not needed must pay
       cuts.push_back(pool.start({Cut(surface)}).front());
     if(cuts.size() > 1)
-      judge(surface, m_scoring, m_team, cuts, m_report);
+      judge(surface, m_scoring, m_team, m_deadline, cuts, m_report);
     const Scored_cut& best = shortest_of_best(cuts, tolerance);
     m_report.is_cancelled = has_passed(m_deadline);
     m_report.score = best.score.score;
@@ -139,12 +158,13 @@ private:
   /// growth ends in one of many local minima.
   std::vector<Cut> grown_cuts(const Triangle_surface& surface)
   {
-    const std::optional<Triangle_surface> copy = simplified_copy(surface, numbers().growth_faces, numbers());
+    const std::optional<Triangle_surface> copy =
+        simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
     const Triangle_surface& grown = copy ? *copy : surface;
     Cut_pool pool = make_pool(grown);
     Cut_growth growth(pool, m_report);
     std::vector<Cut> cuts{growth.grow(rerouted_initial_cuts(grown, numbers(), m_team))};
-    if(const auto simpler = simplified_copy(grown, numbers().simpler_growth_faces, numbers())) {
+    if(const auto simpler = simplified_copy(grown, numbers().simpler_growth_faces, numbers(), m_deadline)) {
       Cut_report ignored;
       Cut_pool simpler_pool = make_pool(*simpler);
       const Cut simple = Cut_growth(simpler_pool, ignored).grow(rerouted_initial_cuts(*simpler, numbers(), m_team));

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_STRETCH_ITERATION_H
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Convex_combination_system.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
@@ -40,12 +41,14 @@ public:
   };
 
   /// \param make_solver makes the solver of the linear systems
+  /// \param deadline when it has passed the first map, or the best so far, is taken
   Stretch_iteration(const Patch& patch, const Stretch_minimization& options,
-                    Linear_solver_factory make_solver = make_direct_solver)
+                    Linear_solver_factory make_solver = make_direct_solver, const Deadline& deadline = {})
     : m_patch(patch),
       m_system(patch, checked(options.weights(patch), patch)),
       m_make_solver(std::move(make_solver)),
       m_options(options),
+      m_deadline(deadline),
       m_first_solver(m_make_solver(m_system.is_symmetric()))
   {
     Convex_combination_system::Equations equations;
@@ -98,6 +101,10 @@ public:
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
         return best;
       }
+      if(has_passed(m_deadline)) {
+        report.stop_reason = Stop_reason::DEADLINE;
+        return best;
+      }
       is_solved = solve_with_stretch_weights(border_uv, exponent(report.iterations), workspace);
       ++report.iterations;
     }
@@ -140,6 +147,7 @@ private:
   Convex_combination_system m_system;
   Linear_solver_factory m_make_solver;
   Stretch_minimization m_options;
+  Deadline m_deadline;
   std::unique_ptr<Linear_solver> m_first_solver;
   bool m_is_first_system_solvable = false;
 };

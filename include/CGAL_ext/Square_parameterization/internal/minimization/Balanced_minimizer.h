@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
@@ -34,8 +35,13 @@ public:
     Uv_coordinates gradient, previous_gradient, direction, trial;
   };
 
-  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options)
-    : m_energy(patch, options.balance), m_preconditioner(patch), m_sweep(patch, options.balance), m_options(options)
+  /// \param deadline when it has passed a minimization ends with the map so far
+  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline = {})
+    : m_energy(patch, options.balance),
+      m_preconditioner(patch),
+      m_sweep(patch, options.balance),
+      m_options(options),
+      m_deadline(deadline)
   {}
 
   const Patch& patch() const { return m_energy.patch(); }
@@ -50,7 +56,7 @@ public:
     for(bool gains = true; gains && sweeps < Minimizer_numbers::MAXIMUM_SWEEPS; ++sweeps) {
       m_sweep(is_free, uv);
       const double reached = m_energy(uv);
-      gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy;
+      gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
       energy = reached;
     }
     return static_cast<long>(sweeps) * uv.rows();
@@ -80,6 +86,10 @@ public:
     while(true) {
       if(report.iterations >= maximum_iterations) {
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
+        break;
+      }
+      if(has_passed(m_deadline)) {
+        report.stop_reason = Stop_reason::DEADLINE;
         break;
       }
       if(age == 0 && !m_preconditioner.factorize(m_energy, map.uv, is_free, workspace.factors)) {
@@ -228,6 +238,7 @@ private:
   Axis_preconditioner m_preconditioner;
   Vertex_sweep m_sweep;
   Balanced_minimization m_options;
+  Deadline m_deadline;
 };
 
 } // namespace internal

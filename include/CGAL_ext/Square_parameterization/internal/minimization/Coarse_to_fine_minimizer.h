@@ -22,8 +22,12 @@ namespace internal {
 class Coarse_to_fine_minimizer : public Map_minimizer
 {
 public:
-  Coarse_to_fine_minimizer(const Patch& patch, const Balanced_minimization& minimization)
-    : m_patch(patch), m_minimization(minimization), m_minimizer(patch, minimization)
+  /// \param deadline see `make_minimizer()`
+  Coarse_to_fine_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline)
+    : m_patch(patch),
+      m_minimization(minimization),
+      m_deadline(deadline),
+      m_minimizer(patch, minimization, true, deadline)
   {}
 
   Worker make_worker() const override
@@ -78,13 +82,14 @@ private:
   }
 
   /// what a coarse border has no room for, or would let slide, is mapped without. Without uv where the border is kept
-  /// anyway
+  /// anyway, and when there is no time
   Minimized_map map_with_whole_border(const Uv_coordinates& border_uv) const
   {
-    if(m_minimizer.keeps_border())
+    if(m_minimizer.keeps_border() || has_passed(m_deadline))
       return Minimized_map();
-    std::call_once(m_whole_border_made,
-                   [this] { m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_minimization, false); });
+    std::call_once(m_whole_border_made, [this] {
+      m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_minimization, false, m_deadline);
+    });
     Multilevel_minimizer::Workspace workspace;
     Minimized_map map = m_whole_border->minimize(border_uv, workspace);
     map.warm_start.resize(0, 2); // a map of a patch that is not among those of the others
@@ -99,6 +104,7 @@ private:
 
   const Patch& m_patch;
   Balanced_minimization m_minimization;
+  Deadline m_deadline;
   Multilevel_minimizer m_minimizer;
   mutable std::once_flag m_whole_border_made;
   mutable std::unique_ptr<const Multilevel_minimizer> m_whole_border; // made when needed

@@ -19,8 +19,10 @@ namespace internal {
 class Iteration_minimizer : public Map_minimizer
 {
 public:
-  Iteration_minimizer(const Patch& patch, const Stretch_minimization& minimization, Linear_solver_factory make_solver)
-    : m_patch(patch), m_iteration(patch, minimization, std::move(make_solver))
+  /// \param deadline see `make_minimizer()`
+  Iteration_minimizer(const Patch& patch, const Stretch_minimization& minimization, const Deadline& deadline,
+                      Linear_solver_factory make_solver)
+    : m_patch(patch), m_iteration(patch, minimization, std::move(make_solver), deadline)
   {}
 
   Worker make_worker() const override

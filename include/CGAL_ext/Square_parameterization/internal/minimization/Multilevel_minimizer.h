@@ -47,15 +47,19 @@ public:
   };
 
   /// \param may_coarsen_border false for maps onto other borders than the unit square, too
+  /// \param deadline when it has passed no patch is minimised any more: a map that is begun goes down to the finest
+  ///        patch by sweeps alone
   explicit Multilevel_minimizer(const Patch& patch, const Balanced_minimization& options = {},
-                                bool may_coarsen_border = true)
-    : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING), m_options(options)
+                                bool may_coarsen_border = true, const Deadline& deadline = {})
+    : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING),
+      m_options(options),
+      m_deadline(deadline)
   {
     Balanced_minimization coarse_options = options;
     coarse_options.balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
     coarse_options.maximum_iterations = Minimizer_numbers::COARSE_ITERATIONS;
     m_coarse_balance = coarse_options.balance;
-    m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options));
+    m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options, deadline));
     coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT}, coarse_options);
     m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
     m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
@@ -80,7 +84,7 @@ public:
                   borders, workspace, descent);
     if(uv.rows() == 0)
       uv = start(borders, 0, workspace, descent);
-    if(uv.rows() == 0 && m_patches.size() > 1) { // some coarse triangle was lost in rounding
+    if(uv.rows() == 0 && m_patches.size() > 1 && !has_passed(m_deadline)) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
       uv = Stretch_iteration(m_patches[0], m_options.start).minimize(border_uv, 1, iteration_workspace).uv;
     }
@@ -160,10 +164,11 @@ private:
   {
     m_patches.coarsen(shapes_kept);
     while(m_minimizers.size() < m_patches.size())
-      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(m_patches[m_minimizers.size()], options));
+      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(m_patches[m_minimizers.size()], options, m_deadline));
     const std::size_t coarsest = m_patches.size() - 1;
     if(m_starts.empty() || m_starts.back().level < coarsest)
-      m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], m_options.start)});
+      m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], m_options.start,
+                                                                        make_direct_solver, m_deadline)});
   }
 
   void prepare(Workspace& workspace) const
@@ -256,6 +261,7 @@ private:
   std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
   std::vector<Start> m_starts; // from the coarsest that keeps its shape, and from the coarsest
   Balanced_minimization m_options;
+  Deadline m_deadline;
   double m_coarse_balance = 0;
   std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
   std::size_t m_sketch_level = 0; // of the patch whose maps are compared

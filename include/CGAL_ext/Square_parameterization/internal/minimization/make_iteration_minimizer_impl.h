@@ -14,10 +14,12 @@
 namespace CGAL_ext {
 namespace internal {
 
-CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer>
-make_minimizer(const Patch& patch, const Stretch_minimization& minimization, Linear_solver_factory make_solver)
+CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch,
+                                                                             const Stretch_minimization& minimization,
+                                                                             const Deadline& deadline,
+                                                                             Linear_solver_factory make_solver)
 {
-  return std::make_shared<Iteration_minimizer>(patch, minimization, std::move(make_solver));
+  return std::make_shared<Iteration_minimizer>(patch, minimization, deadline, std::move(make_solver));
 }
 
 } // namespace internal

@@ -13,11 +13,15 @@ namespace CGAL_ext {
 namespace internal {
 
 /// makes the minimizer that the options ask for. It refers to the patch, which must live as long.
+/// \param deadline when it has passed, minimizations end with the map so far, also those that begin later: each map
+///        comes soon then, and is one-to-one, but not the least
 /// \pre the options are valid
-std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Minimization& minimization);
+std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Minimization& minimization,
+                                                    const Deadline& deadline = {});
 
 /// the balanced energy from coarse to fine
-std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Balanced_minimization& minimization);
+std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Balanced_minimization& minimization,
+                                                    const Deadline& deadline = {});
 
 } // namespace internal
 } // namespace CGAL_ext

@@ -16,16 +16,16 @@
 namespace CGAL_ext {
 namespace internal {
 
-CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch,
-                                                                             const Balanced_minimization& minimization)
+CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer>
+make_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline)
 {
-  return std::make_shared<Coarse_to_fine_minimizer>(patch, minimization);
+  return std::make_shared<Coarse_to_fine_minimizer>(patch, minimization, deadline);
 }
 
-CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch,
-                                                                             const Minimization& minimization)
+CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer>
+make_minimizer(const Patch& patch, const Minimization& minimization, const Deadline& deadline)
 {
-  return std::visit([&patch](const auto& chosen) { return make_minimizer(patch, chosen); }, minimization);
+  return std::visit([&](const auto& chosen) { return make_minimizer(patch, chosen, deadline); }, minimization);
 }
 
 } // namespace internal

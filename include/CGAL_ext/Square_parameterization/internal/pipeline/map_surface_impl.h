@@ -129,7 +129,7 @@ inline void try_other_starts(const Patch& patch, const std::optional<Corners>& c
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
   if(balanced == nullptr)
     return;
-  for(const Other_start& other : other_starts(patch, *balanced)) {
+  for(const Other_start& other : other_starts(patch, *balanced, settings.search_options.deadline)) {
     if(!is_hopeless(outcome) || outcome.report.is_cancelled || has_passed(settings.search_options.deadline))
       return;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
@@ -149,9 +149,6 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
                                 const std::optional<Corners>& corners, const Square_map_settings& settings,
                                 Square_map_report& report)
 {
-  report.search.is_cancelled = corners && has_passed(settings.search_options.deadline);
-  if(report.search.is_cancelled)
-    refuse_without_map(report.search);
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
   try_other_starts(patch, corners, settings, outcome, report.start);
   report.search = outcome.report;
@@ -199,6 +196,9 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   const Cut cut = cut_to_disk(surface, chosen.seams, seam_options(settings), report.cut);
   const auto condition_start = Clock::now();
   report.cut_seconds = seconds_between(start, condition_start);
+  report.search.is_cancelled = has_passed(settings.search_options.deadline);
+  if(report.search.is_cancelled)
+    refuse_without_map(report.search);
 
   Opened_disk disk = open_disk(std::move(surface), cut, settings.chords);
   report.border_edges_split = disk.edits.border_splits;
@@ -209,7 +209,7 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   std::optional<Corners> corners;
   if(chosen.corners)
     corners = border_positions(*chosen.corners, mesh, patch, disk.edits, report);
-  const auto minimizer = make_minimizer(patch, settings.minimization);
+  const auto minimizer = make_minimizer(patch, settings.minimization, settings.search_options.deadline);
   const auto search_start = Clock::now();
   report.condition_seconds = seconds_between(condition_start, search_start);
 

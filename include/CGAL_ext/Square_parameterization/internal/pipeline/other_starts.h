@@ -7,7 +7,7 @@
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Square_map_result.h>
 #include <CGAL_ext/Square_parameterization/base_weights.h>
-#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 
 #include <functional>
@@ -24,11 +24,11 @@ namespace internal {
 class Fixed_border_first_minimizer : public Map_minimizer
 {
 public:
-  Fixed_border_first_minimizer(const Patch& patch, Balanced_minimization sliding)
-    : m_sliding(make_minimizer(patch, sliding))
+  Fixed_border_first_minimizer(const Patch& patch, Balanced_minimization sliding, const Deadline& deadline)
+    : m_sliding(make_minimizer(patch, sliding, deadline))
   {
     sliding.border = Border_motion::FIXED;
-    m_fixed = make_minimizer(patch, sliding);
+    m_fixed = make_minimizer(patch, sliding, deadline);
   }
 
   Worker make_worker() const override { return m_fixed->make_worker(); }
@@ -50,21 +50,23 @@ struct Other_start
 };
 
 /// the starts that are left when that of the options has failed, in the order in which they are tried
-inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen)
+inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
+                                             const Deadline& deadline)
 {
-  const auto with_weights = [&patch, chosen](const std::function<Edge_weights(const Patch&)>& weights) {
-    return [&patch, chosen, weights] {
+  const auto with_weights = [&patch, chosen, deadline](const std::function<Edge_weights(const Patch&)>& weights) {
+    return [&patch, chosen, deadline, weights] {
       Balanced_minimization minimization = chosen;
       minimization.start.weights = weights;
-      return make_minimizer(patch, minimization);
+      return make_minimizer(patch, minimization, deadline);
     };
   };
   std::vector<Other_start> starts{{Map_start::BLENDED_WEIGHTS, with_weights(Blended_weights())},
                                   {Map_start::UNIFORM_WEIGHTS, with_weights(Uniform_weights())},
                                   {Map_start::MEAN_VALUE_WEIGHTS, with_weights(Mean_value_weights())}};
   if(chosen.border == Border_motion::SLIDING)
-    starts.push_back({Map_start::FIXED_BORDER_FIRST,
-                      [&patch, chosen] { return std::make_shared<Fixed_border_first_minimizer>(patch, chosen); }});
+    starts.push_back({Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline] {
+                        return std::make_shared<Fixed_border_first_minimizer>(patch, chosen, deadline);
+                      }});
   return starts;
 }
 

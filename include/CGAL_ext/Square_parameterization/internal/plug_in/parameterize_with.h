@@ -32,7 +32,7 @@ struct Searches_corners<Border, std::void_t<decltype(std::declval<const Border&>
 };
 
 /// what the parameterizers of this package do in `parameterize()`: they differ in the minimizer that
-/// \p make_minimizer makes for a patch.
+/// \p make_minimizer makes for a patch and a deadline.
 ///
 /// With a border parameterizer that searches, the best map of the search is the result, and is not computed twice; the
 /// visitor of the search is told of it. Any other is taken as it is, mirrored or not.
@@ -48,7 +48,10 @@ Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border
   try {
     const TriangleMesh& const_mesh = mesh;
     const auto [patch, vertices] = make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
-    const std::shared_ptr<const Map_minimizer> minimizer = make_minimizer(patch);
+    Deadline deadline;
+    if constexpr(Searches_corners<Border>::value)
+      deadline = border.deadline();
+    const std::shared_ptr<const Map_minimizer> minimizer = make_minimizer(patch, deadline);
     Minimized_map map;
     if constexpr(Searches_corners<Border>::value) {
       map = border.search(patch, *minimizer).map;

@@ -48,12 +48,12 @@ public:
       m_threads(number_of_search_threads(options.number_of_threads, patch.number_of_vertices())),
       m_evaluation(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
-          options.visitor, [this](double share) { return may_continue(share); })
+          options.visitor, [this](double share) { return may_continue(share, m_options.deadline); })
   {
     if(minimizer.has_sketches())
       m_sketches.emplace(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
-          nullptr, [this](double) { return may_continue(0); });
+          nullptr, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 
   Search_outcome operator()()
@@ -61,6 +61,8 @@ public:
     if(m_options.visitor != nullptr)
       m_options.visitor->start_search(static_cast<std::size_t>(m_number_of_candidates));
     run_corner_search(m_search, problem(), m_evaluation);
+    if(m_evaluation.best_map().uv.rows() == 0 && m_sketches && has_passed(m_sketch_deadline))
+      evaluate_best_sketch();
     m_evaluation.release_workers();
     Search_outcome outcome{m_minimizer.finish(m_evaluation.best_map()), m_evaluation.report()};
     complete(outcome);
@@ -70,9 +72,22 @@ public:
   }
 
 private:
-  bool may_continue(double share) const
+  bool may_continue(double share, const Deadline& deadline) const
   {
-    return !has_passed(m_options.deadline) && (!m_options.callback || m_options.callback(share));
+    return !has_passed(deadline) && (!m_options.callback || m_options.callback(share));
+  }
+
+  /// when sketches have taken their share of the time, and the search has ended for it, the best of them tells which
+  /// candidate is mapped
+  void evaluate_best_sketch()
+  {
+    const std::optional<int> best = m_sketches->report().best_candidate;
+    if(!best)
+      return;
+    try {
+      m_evaluation({*best});
+    } catch(const Search_cancelled&) { // there is no time left at all, or the callback wants no more
+    }
   }
 
   Square_border border_of(int candidate) const
@@ -118,6 +133,7 @@ private:
       report.sketches = sketching.evaluations;
       report.is_cancelled |= sketching.is_cancelled;
     }
+    report.is_cancelled |= outcome.map.report.stop_reason == Stop_reason::DEADLINE;
     if(report.best_candidate) {
       report.best_objective = outcome.map.report.objective;
       report.corners = border_of(*report.best_candidate).corners;
@@ -128,6 +144,7 @@ private:
   const Map_minimizer& m_minimizer;
   const Corner_search& m_search;
   const Square_search_options& m_options;
+  const Deadline m_sketch_deadline = half_way_to(m_options.deadline);
   const Border_walk m_walk;
   const int m_number_of_candidates;
   const unsigned int m_threads;
@@ -148,6 +165,7 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome map_with_corners(const Patch& patch, con
 {
   const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
   Search_outcome outcome{minimizer.finish(minimizer.make_worker()(border.uv, nullptr)), {}};
+  outcome.report.is_cancelled = outcome.map.report.stop_reason == Stop_reason::DEADLINE;
   outcome.report.candidates = 1;
   outcome.report.evaluations = 1;
   outcome.report.best_objective = outcome.map.report.objective;

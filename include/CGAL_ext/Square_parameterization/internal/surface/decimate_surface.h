@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_DECIMATE_SURFACE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_DECIMATE_SURFACE_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -35,29 +36,45 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// stops when fewer edges are left than a number
+/// stops when fewer edges are left than a number, or a deadline has passed
 template <class Mesh>
-using Edge_count_stop_predicate = CGAL::Surface_mesh_simplification::CGAL_EXT_EDGE_COUNT_STOP_PREDICATE<Mesh>;
+class Edge_count_or_deadline_stop_predicate
+{
+public:
+  Edge_count_or_deadline_stop_predicate(std::size_t edges, const Deadline& deadline)
+    : m_has_few_edges(edges), m_deadline(deadline)
+  {}
+
+  template <class Cost, class Profile, class Count>
+  bool operator()(const Cost& cost, const Profile& profile, Count initial_edges, Count edges) const
+  {
+    return has_passed(m_deadline) || m_has_few_edges(cost, profile, initial_edges, edges);
+  }
+
+private:
+  CGAL::Surface_mesh_simplification::CGAL_EXT_EDGE_COUNT_STOP_PREDICATE<Mesh> m_has_few_edges;
+  Deadline m_deadline;
+};
 #undef CGAL_EXT_EDGE_COUNT_STOP_PREDICATE
 
-/// collapses edges, those of least cost first, until about \p faces triangles are left
+/// collapses edges, those of least cost first, until about \p faces triangles are left, or the deadline has passed
 template <class Mesh, class Cost, class Placement>
-void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& placement)
+void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& placement, const Deadline& deadline)
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
   const std::size_t edges = 3 * static_cast<std::size_t>(faces) / 2;
   SMS::edge_collapse(
-      mesh, Edge_count_stop_predicate<Mesh>(edges),
+      mesh, Edge_count_or_deadline_stop_predicate<Mesh>(edges, deadline),
       CGAL::parameters::get_cost(cost).get_placement(placement).filter(SMS::Bounded_normal_change_filter<>()));
 }
 
 /// a simpler surface of the same topology with about \p faces triangles, or more where the topology needs them; nothing
-/// when simplification spoils the surface. The shortest edges of a very fine surface are collapsed first, in a third of
+/// when simplification spoils the surface, or the deadline has passed before it is done. The shortest edges of a very fine surface are collapsed first, in a third of
 /// the time, which costs hardly any of its shape.
 /// \param very_fine times \p faces: surfaces with more triangles are very fine
 /// \param still_fine times \p faces: triangles left by collapsing the shortest edges
 inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces, double very_fine,
-                                                        double still_fine)
+                                                        double still_fine, const Deadline& deadline = {})
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
   typedef CGAL::Simple_cartesian<double> Kernel;
@@ -70,8 +87,11 @@ inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& 
       return std::nullopt;
   if(surface.number_of_faces() > very_fine * faces)
     collapse_edges(mesh, static_cast<int>(still_fine * faces), SMS::Edge_length_cost<Mesh>(),
-                   SMS::Midpoint_placement<Mesh>());
-  collapse_edges(mesh, faces, SMS::LindstromTurk_cost<Mesh>(), SMS::LindstromTurk_placement<Mesh>());
+                   SMS::Midpoint_placement<Mesh>(), deadline);
+  if(!has_passed(deadline)) // else even the costs of the edges are not computed
+    collapse_edges(mesh, faces, SMS::LindstromTurk_cost<Mesh>(), SMS::LindstromTurk_placement<Mesh>(), deadline);
+  if(has_passed(deadline))
+    return std::nullopt;
   mesh.collect_garbage();
 
   std::vector<Eigen::Vector3d> points;

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>

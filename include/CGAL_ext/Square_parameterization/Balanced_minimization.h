@@ -40,7 +40,7 @@ struct Balanced_minimization
   /// the same while candidates for the corners are compared; not negative
   double search_tolerance = 1e-4;
 
-  unsigned int maximum_iterations = 1000; ///< largest number of steps on the mesh itself
+  unsigned int maximum_iterations = 600; ///< largest number of steps on the mesh itself
 
   /// how the coarsest mesh is mapped: a few iterations, which little of the result depends on
   Stretch_minimization start = few_iterations();

@@ -50,17 +50,26 @@ public:
     const std::optional<int> sketched = best_sketch(problem);
     if(sketched && go_downhill(*sketched, samples))
       return;
-    const std::vector<int> even = samples.ring.even_candidates(m_samples);
+    samples.evaluate({0});
+    const std::vector<int> even = samples.ring.even_candidates(affordable_samples(problem));
     samples.evaluate({even.begin(), even.end()});
     close_in(samples);
   }
 
 private:
-  /// indicates whether the maps and sketches so far have cost as much as those of a hundred candidates of an even
+  static constexpr double MOST_WORK = 1200; // sweeps over the mesh
+
+  /// as many samples as the work for one candidate allows, which is known by now
+  int affordable_samples(const Corner_search_problem& problem) const
+  {
+    const double work = problem.work ? problem.work() : 0;
+    return work * m_samples > MOST_WORK ? static_cast<int>(MOST_WORK / work) : m_samples;
+  }
+
+  /// indicates whether the maps and sketches so far have cost as much as those of fifty candidates of an even
   /// surface: no more are made then, for all are alike in how much they are stretched, and each takes long
   static bool has_cost_too_much(const Corner_search_problem& problem)
   {
-    constexpr double MOST_WORK = 2000; // sweeps over the mesh
     return problem.work && problem.work() > MOST_WORK;
   }
 

@@ -23,7 +23,7 @@ std::function<void()> limited(int resource, rlim_t value)
 
 } // namespace
 
-#ifndef __SANITIZE_ADDRESS__ // which needs more address space than there is
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which need more address space than there is
 TEST_CASE("a run with more threads than there is room for makes the map with those it gets")
 {
   const Temporary_folder folder;

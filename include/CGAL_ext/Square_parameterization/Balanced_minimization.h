@@ -6,6 +6,8 @@
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 
+#include <optional>
+
 namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
@@ -42,13 +44,19 @@ struct Balanced_minimization
 
   unsigned int maximum_iterations = 600; ///< largest number of steps on the mesh itself
 
+  /// width over height of the rectangle that the energy is minimised on, in [1e-3, 1e3]; 1 is the square, and none the
+  /// rectangle on which the energy is least. The map is given on the unit square in any case: the rectangle, of area 1,
+  /// is that stretched by the root of the aspect in u, and shrunk as much in v.
+  std::optional<double> aspect = 1;
+
   /// how the coarsest mesh is mapped: a few iterations, which little of the result depends on
   Stretch_minimization start = few_iterations();
 
   /// indicates whether all numbers are in their range
   bool is_valid() const
   {
-    return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0 && start.is_valid();
+    return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0 &&
+           (!aspect || (*aspect >= 1e-3 && *aspect <= 1e3)) && start.is_valid();
   }
 
 private:

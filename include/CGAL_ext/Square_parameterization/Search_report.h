@@ -33,8 +33,9 @@ struct Search_report
   double best_objective = std::numeric_limits<double>::infinity(); ///< of the best candidate
   /// positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1); 0 without a map
   std::array<int, 4> corners{};
-  std::vector<Sample> curve; ///< the evaluated candidates, in the order of the candidates
-  bool is_cancelled = false; ///< the callback or the deadline stopped the search: the best so far is reported
+  std::size_t corner_moves = 0; ///< number of choices of four corners that were compared beyond the candidates
+  std::vector<Sample> curve;    ///< the evaluated candidates, in the order of the candidates
+  bool is_cancelled = false;    ///< the callback or the deadline stopped the search: the best so far is reported
 };
 
 } // namespace CGAL_ext

@@ -52,8 +52,9 @@ struct Square_map_report
   Search_report search;                   ///< candidates, evaluations and the curve of the objective
   Map_start start = Map_start::AS_CHOSEN; ///< what the delivered map began with; the searches are those from there
   Minimization_report minimization;       ///< iterations of the delivered map
-  Stretch_measures measures;              ///< of the delivered map
-  std::size_t border_edges = 0;           ///< number of edges of the border
+  Stretch_measures measures;              ///< of the delivered map, on its rectangle
+  double aspect = 1;            ///< width over height of the rectangle, of area 1, that the unit square stands for
+  std::size_t border_edges = 0; ///< number of edges of the border
   /// with `Square_map_settings::seam_grid`: pairs of samples of the border that are the same point of the surface,
   /// counted counter-clockwise from (0, 0). Empty when there is no seam, and when the grid has too few samples for the
   /// seams: then the map is as if there were no grid.

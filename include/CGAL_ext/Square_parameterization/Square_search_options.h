@@ -27,6 +27,11 @@ struct Square_search_options
                                       ///< large (1 to 3 kB a vertex); the result is the same for any number
   Search_visitor* visitor = nullptr;  ///< is told of the search and of the minimization of the map; may be null
 
+  /// after the search the four corners move on their own, all together, in pairs and alone, as long as that lowers the
+  /// energy; on a coarse mesh first. The rectangle is then also sought from other shares of the sides than quarters. For
+  /// `Balanced_minimization` alone. The strategy and its curve stay as they are.
+  bool moves_corners = false;
+
   /// when it has passed, no evaluation and no sketch begins, what is being minimised is left as it is, and the best
   /// candidate so far is delivered, marked as cancelled, as when the callback stops the search. Of the time until then
   /// `parameterize_onto_square()` spends half on the decision where to cut, at most, and the search half of the rest on

@@ -7,6 +7,7 @@
 #include "Output_target.h"
 #include "Texture.h"
 #include "option_effects.h"
+#include "parse_number.h"
 #include "write_map.h"
 
 #include <algorithm>
@@ -139,6 +140,17 @@ inline void check_files(const Command_line& line)
         throw Usage_error("'" + files[i] + "' and '" + files[j] + "' are the same file");
 }
 
+/// a ratio, or none for the best
+inline std::optional<double> parse_aspect(const std::string& text)
+{
+  if(text == "best")
+    return {};
+  const std::optional<double> aspect = parse_real(text);
+  if(!aspect || !(*aspect >= 1e-3 && *aspect <= 1e3))
+    throw Usage_error("--aspect must be from 0.001 to 1000, or best; not '" + text + "'");
+  return aspect;
+}
+
 /// how a map is minimised: the preset, and what is given beside it
 inline void set_minimizer(const Given_options& given, Command_line& line)
 {
@@ -161,6 +173,12 @@ inline void set_minimizer(const Given_options& given, Command_line& line)
       throw Usage_error("--balance must be from 0 to 1");
     balanced->balance = given.balance;
   }
+  if(given.has("aspect")) {
+    if(balanced == nullptr)
+      throw Usage_error("--aspect goes with --minimizer optimal");
+    balanced->aspect = parse_aspect(given.aspect);
+  }
+  options.search_options.moves_corners = balanced != nullptr && !given.keeps_quarters;
   if(given.has("border")) {
     using CGAL_ext::Border_motion;
     const Border_motion motion = named<Border_motion>(

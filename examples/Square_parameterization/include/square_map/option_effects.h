@@ -41,6 +41,12 @@ inline std::vector<Effect> effects()
       {{"strategy", "corner-rule", "walk", "step", "interval", "seed"},
        "has no effect beside --corners",
        [](const Command_line& line) { return !line.corners; }},
+      {{"quarter-corners"},
+       "goes with an --aspect that is not 1, without --corners",
+       [](const Command_line& line) {
+         const auto* balanced = std::get_if<CGAL_ext::Balanced_minimization>(&line.options.minimization);
+         return balanced != nullptr && balanced->aspect != 1 && !line.corners;
+       }},
       {{"step"},
        "goes with --strategy step-sampling",
        [](const Command_line& line) { return line.strategy == "step-sampling"; }},

@@ -38,6 +38,8 @@ struct Given_options
 {
   std::string weights, corner_rule, walk, preset, corners, border, cut, component, resolution;
   double eta = 0, balance = 0, time_limit = 0;
+  std::string aspect;
+  bool keeps_quarters = false;
   int patience = 0, threads = 0;
   Tuning tuning;
   boost::program_options::variables_map all;
@@ -79,6 +81,10 @@ inline boost::program_options::options_description option_list(Given_options& gi
       "optimal (default): least balanced energy; iterative: Yoshizawa et al.");
   add("balance", po::value(&given.balance)->value_name("X"),
       "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
+  add("aspect", po::value(&given.aspect)->value_name("R"),
+      "optimal: width over height of the rectangle, or best; default 1, the square. uv stay in [0, 1]");
+  add("quarter-corners", po::bool_switch(&given.keeps_quarters),
+      "leave the corners where the quarters of the border put them; without it they move for a rectangle");
   add("border", po::value(&given.border)->value_name("NAME"),
       "optimal: fixed or sliding (default); the border of iterative is fixed");
   add("component", po::value(&given.component)->value_name("K"),

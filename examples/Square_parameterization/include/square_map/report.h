@@ -94,6 +94,7 @@ inline nlohmann::ordered_json best_map_report(const Job& job)
           {"linf", result.measures.linf},
           {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
           {"energy", result.minimization.objective},
+          {"aspect", result.aspect},
           {"flipped", result.measures.flipped_faces},
           {"iterations", result.minimization.iterations}};
 }
@@ -168,6 +169,7 @@ inline nlohmann::ordered_json make_report(const Job& job)
   json["candidates"] = search.candidates;
   json["evaluations"] = search.evaluations;
   json["sketches"] = search.sketches;
+  json["corner_moves"] = search.corner_moves;
   json["best"] = best_map_report(job);
   if(job.image)
     json["image"] = image_report(*job.image, *job.flat,

@@ -23,7 +23,8 @@ namespace internal {
 class Vertex_insertion
 {
 public:
-  Vertex_insertion(const Patch& patch, double balance, Uv_coordinates& uv) : m_patch(patch), m_star(balance), m_uv(uv)
+  Vertex_insertion(const Patch& patch, double balance, const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv)
+    : m_patch(patch), m_star(balance, to_rectangle), m_uv(uv)
   {}
 
   /// puts an interior vertex into the middle of its ring, or into the kernel of the ring, and then where the energy is
@@ -96,16 +97,18 @@ private:
 /// back, and the vertex that stood there moves on.
 ///
 /// \param coarse_uv a map of \p coarse without flips
+/// \param to_rectangle what takes the unit square to the rectangle of the energy
 /// \param removed_corners of the border of \p coarse: places in its removals, ascending
 /// \return a map of \p fine without flips; none when one is lost in rounding
 inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Coarse_patch& coarse,
                                                      const Uv_coordinates& coarse_uv,
-                                                     const std::vector<std::size_t>& removed_corners, double balance)
+                                                     const std::vector<std::size_t>& removed_corners, double balance,
+                                                     const Eigen::RowVector2d& to_rectangle = {1, 1})
 {
   Uv_coordinates uv(fine.number_of_vertices(), 2);
   for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
     uv.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
-  Vertex_insertion insertion(fine, balance, uv);
+  Vertex_insertion insertion(fine, balance, to_rectangle, uv);
   for(std::size_t i = coarse.removals.size(); i-- > 0;) {
     const auto& [vertex, target, ring, target_ring] = coarse.removals[i];
     const auto other_end = [](const std::vector<int>& fan, int end) { return fan[0] == end ? fan.back() : fan[0]; };

@@ -155,6 +155,9 @@ struct Minimizer_numbers
   /// vertices of the patch that is sketched, at most: enough to tell borders apart
   static constexpr int LARGEST_SKETCH = 2000;
 
+  /// vertices of the patch on which corners are moved, at most: hundreds of maps are compared there
+  static constexpr int LARGEST_ROUGH = 600;
+
   /// vertices from which on a patch is sketched: below, maps cost little more than sketches
   static constexpr int SMALLEST_SKETCHED = 8000;
 

@@ -4,11 +4,13 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H
 
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -29,20 +31,50 @@ namespace internal {
 ///     N (A / D^2 + b / (4 A))
 ///
 /// which is a sum of squares times a number, exact for slivers, too.
+///
+/// On a rectangle of area 1 and width w, the squared gradients of u count w^2 times, and those of v 1 / w^2: the energy is
+/// w^2 P + Q / w^2, where P and Q are those of u and of v. It is least at w^4 = Q / P, and then 2 sqrt(P Q): the aspect
+/// w^2 is no unknown, and by the envelope theorem the gradient is that at this w.
 class Balanced_energy
 {
 public:
-  Balanced_energy(const Patch& patch, double balance) : m_patch(patch), m_balance(balance) {}
+  /// \param aspect width over height of the rectangle; none for the best one of each map
+  Balanced_energy(const Patch& patch, double balance, std::optional<double> aspect = 1)
+    : m_patch(patch), m_balance(balance), m_aspect(aspect)
+  {}
 
   const Patch& patch() const { return m_patch; }
   double balance() const { return m_balance; }
 
+  /// width over height of the rectangle on which the map (#V by 2) is measured; 1 when a triangle is not
+  /// counter-clockwise and the best is asked for
+  double aspect(const Uv_coordinates& uv) const
+  {
+    if(m_aspect)
+      return *m_aspect;
+    double along_u = 0, along_v = 0; // P and Q
+    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
+      const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, {1, 1});
+      if(!(terms.determinant > 0))
+        return 1;
+      const double weight = factor(f, terms.determinant), y2 = m_patch.shapes[f].y2;
+      along_u += weight * (terms.across.x() * terms.across.x() + y2 * y2 * terms.da.x() * terms.da.x());
+      along_v += weight * (terms.across.y() * terms.across.y() + y2 * y2 * terms.da.y() * terms.da.y());
+    }
+    const double result = std::sqrt(along_v / along_u);
+    return std::isfinite(result) && result > 0 ? result : 1;
+  }
+
+  /// what takes the unit square to that rectangle: see `scale_to_rectangle()`
+  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return scale_to_rectangle(aspect(uv)); }
+
   /// the energy of a map (#V by 2)
   double operator()(const Uv_coordinates& uv) const
   {
+    const Eigen::RowVector2d to_rectangle = scale(uv);
     double energy = 0;
     for(int f = 0; f < m_patch.number_of_faces(); ++f) {
-      const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv);
+      const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, to_rectangle);
       if(!(terms.determinant > 0))
         return std::numeric_limits<double>::infinity();
       energy += terms.norm * factor(f, terms.determinant);
@@ -54,11 +86,12 @@ public:
   double gradient(const Uv_coordinates& uv, Uv_coordinates& gradient) const
   {
     gradient.setZero(uv.rows(), 2);
+    const Eigen::RowVector2d to_rectangle = scale(uv);
     double energy = 0;
     for(int f = 0; f < m_patch.number_of_faces(); ++f) {
       const auto& t = m_patch.triangles[f];
       const Flat_triangle& shape = m_patch.shapes[f];
-      const Terms terms(shape, t, uv);
+      const Terms terms(shape, t, uv, to_rectangle);
       const double D = terms.determinant, weight = factor(f, D);
       energy += terms.norm * weight;
       // with respect to da and db: weight times the derivative of N, plus N times the derivative of the weight
@@ -71,6 +104,7 @@ public:
       gradient.row(t[1]) += by_da;
       gradient.row(t[2]) += by_db;
     }
+    gradient *= to_rectangle.asDiagonal();
     return energy;
   }
 
@@ -86,15 +120,16 @@ public:
   ///
   /// The total signed area of a map with fixed border, or with a border that slides along the square, is constant, so
   /// any multiple of det(K) may be added: the objective and its gradient stay, and fewer eigenvalues need clamping.
-  Hessian_blocks hessian_blocks(int f, const Uv_coordinates& uv) const
+  /// \param to_rectangle what `scale(uv)` gives; the aspect is taken as fixed
+  Hessian_blocks hessian_blocks(int f, const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
   {
     const Flat_triangle& shape = m_patch.shapes[f];
-    const Modes modes(jacobian(f, uv), m_balance);
-    const double scale = shape.area() / 2;
+    const Modes modes(jacobian(f, uv, to_rectangle), m_balance);
     // gradients of the hat functions of corners 1 and 2; that of corner 0 is minus their sum
     const Eigen::Vector2d g1(1 / shape.x1, -shape.x2 / (shape.x1 * shape.y2)), g2(0, 1 / shape.y2);
     Hessian_blocks blocks;
     for(int axis = 0; axis < 2; ++axis) {
+      const double scale = to_rectangle[axis] * to_rectangle[axis] * (shape.area() / 2);
       const Eigen::Matrix2d form = scale * modes.form_on_row(axis);
       const Eigen::Vector2d h1 = form * g1, h2 = form * g2;
       const double h11 = g1.dot(h1), h12 = g1.dot(h2), h22 = g2.dot(h2);
@@ -109,9 +144,10 @@ private:
   /// what the energy of a triangle is made of
   struct Terms
   {
-    Terms(const Flat_triangle& shape, const std::array<int, 3>& t, const Uv_coordinates& uv)
-      : da(uv.row(t[1]) - uv.row(t[0])),
-        db(uv.row(t[2]) - uv.row(t[0])),
+    Terms(const Flat_triangle& shape, const std::array<int, 3>& t, const Uv_coordinates& uv,
+          const Eigen::RowVector2d& to_rectangle)
+      : da((uv.row(t[1]) - uv.row(t[0])).cwiseProduct(to_rectangle)),
+        db((uv.row(t[2]) - uv.row(t[0])).cwiseProduct(to_rectangle)),
         across(shape.x1 * db - shape.x2 * da),
         norm(across.squaredNorm() + shape.y2 * shape.y2 * da.squaredNorm()),
         determinant(da.x() * db.y() - da.y() * db.x())
@@ -181,18 +217,21 @@ private:
     return area / (determinant * determinant) + m_balance / (4 * area);
   }
 
-  Eigen::Matrix2d jacobian(int f, const Uv_coordinates& uv) const
+  Eigen::Matrix2d jacobian(int f, const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
   {
     const auto& t = m_patch.triangles[f];
     const Flat_triangle& shape = m_patch.shapes[f];
     Eigen::Matrix2d K;
-    K.col(0) = (uv.row(t[1]) - uv.row(t[0])).transpose() / shape.x1;
-    K.col(1) = ((uv.row(t[2]) - uv.row(t[0])).transpose() - shape.x2 * K.col(0)) / shape.y2;
+    const Eigen::Vector2d da = (uv.row(t[1]) - uv.row(t[0])).cwiseProduct(to_rectangle).transpose();
+    const Eigen::Vector2d db = (uv.row(t[2]) - uv.row(t[0])).cwiseProduct(to_rectangle).transpose();
+    K.col(0) = da / shape.x1;
+    K.col(1) = (db - shape.x2 * K.col(0)) / shape.y2;
     return K;
   }
 
   const Patch& m_patch;
   double m_balance;
+  std::optional<double> m_aspect;
 };
 
 } // namespace internal

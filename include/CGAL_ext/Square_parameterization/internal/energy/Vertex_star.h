@@ -45,33 +45,36 @@ inline Corner_shape corner_shape(const Flat_triangle& shape, int corner)
 class Vertex_star
 {
 public:
-  explicit Vertex_star(double balance) : m_balance(balance) {}
+  /// \param to_rectangle what takes the unit square, where the positions lie, to the rectangle of the energy
+  explicit Vertex_star(double balance, const Eigen::RowVector2d& to_rectangle = {1, 1})
+    : m_balance(balance), m_to_rectangle(to_rectangle)
+  {}
 
   /// forgets all triangles. Positions are taken relative to \p origin, which should be near: tiny triangles would lose
   /// their digits far from it.
   void clear(const Eigen::RowVector2d& origin)
   {
     m_corners.clear();
-    m_origin = origin;
+    m_origin = on_rectangle(origin);
   }
 
   /// adds a triangle of which the vertex is a corner; \p q and \p r are the uv positions of the next two corners
   void add(const Corner_shape& shape, const Eigen::RowVector2d& q, const Eigen::RowVector2d& r)
   {
-    const Eigen::RowVector2d start = q - m_origin, side = r - q;
+    const Eigen::RowVector2d start = on_rectangle(q) - m_origin, side = on_rectangle(r - q);
     const Eigen::RowVector2d slope = shape.inverse_twice_area * Eigen::RowVector2d(-side.y(), side.x());
     m_corners.push_back({-start.dot(slope), shape.squared_side, shape.squared_height * side.squaredNorm(),
                          start + shape.foot * side, slope, 0});
   }
 
   /// the energy with the vertex at \p position; infinite when a triangle is not counter-clockwise
-  double energy(const Eigen::RowVector2d& position) const { return energy_at(position - m_origin); }
+  double energy(const Eigen::RowVector2d& position) const { return energy_at(on_rectangle(position) - m_origin); }
 
   /// moves \p position by one step of Newton's method, of which the Hessian is made positive definite, to a lower
   /// energy, along the axes that are free. Returns false when it stays.
   bool improve(Eigen::RowVector2d& position, const std::array<bool, 2>& is_free)
   {
-    const Eigen::RowVector2d p = position - m_origin;
+    const Eigen::RowVector2d p = on_rectangle(position) - m_origin;
     const Derivatives here = derivatives(p);
     const Eigen::RowVector2d step = newton_step(here, is_free);
     const double slope = here.gradient.dot(step);
@@ -79,7 +82,7 @@ public:
       return false;
     double length = (std::min)(1., Minimizer_numbers::STAR_SAFETY * largest_step(step));
     for(int i = 0; i < Minimizer_numbers::MAXIMUM_STAR_HALVINGS; ++i, length /= 2) {
-      const Eigen::RowVector2d moved = position + length * step;
+      const Eigen::RowVector2d moved = position + (length * step).cwiseQuotient(m_to_rectangle);
       if(energy(moved) <= here.energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope) {
         position = moved;
         return true;
@@ -109,7 +112,12 @@ private:
     double uu, uv, vv; // of the Hessian
   };
 
-  // positions are relative to the origin from here on
+  Eigen::RowVector2d on_rectangle(const Eigen::RowVector2d& position) const
+  {
+    return position.cwiseProduct(m_to_rectangle);
+  }
+
+  // positions are on the rectangle, and relative to the origin, from here on
 
   double energy_at(const Eigen::RowVector2d& p) const
   {
@@ -170,6 +178,7 @@ private:
   }
 
   double m_balance;
+  Eigen::RowVector2d m_to_rectangle;
   Eigen::RowVector2d m_origin = Eigen::RowVector2d::Zero();
   std::vector<Corner> m_corners;
 };

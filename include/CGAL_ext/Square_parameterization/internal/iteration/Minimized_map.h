@@ -16,6 +16,7 @@ struct Minimized_map
   Uv_coordinates uv; ///< #V by 2; empty when no one-to-one map was found
   Minimization_report report;
   Uv_coordinates warm_start; ///< from which a similar border may be mapped; empty when the minimizer has none
+  double aspect = 1;         ///< width over height of the rectangle that the map is measured on
   long work = 0;             ///< what it cost, in vertices visited by sweeps; a step over the mesh counts for several
 };
 

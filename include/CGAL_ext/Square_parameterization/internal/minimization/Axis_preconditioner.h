@@ -98,10 +98,11 @@ private:
   void set_entries(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
                    Factors::Matrix& matrix) const
   {
+    const Eigen::RowVector2d to_rectangle = energy.scale(uv);
     Number_per_axis* const values = matrix.valuePtr();
     std::fill_n(values, matrix.nonZeros(), Number_per_axis());
     for(int f = 0; f < m_patch.number_of_faces(); ++f) {
-      const Balanced_energy::Hessian_blocks blocks = energy.hessian_blocks(f, uv);
+      const Balanced_energy::Hessian_blocks blocks = energy.hessian_blocks(f, uv, to_rectangle);
       const auto& t = m_patch.triangles[f];
       for(int axis = 0; axis < 2; ++axis)
         for(int k = 0; k < 3; ++k) {

@@ -37,7 +37,7 @@ public:
 
   /// \param deadline when it has passed a minimization ends with the map so far
   Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline = {})
-    : m_energy(patch, options.balance),
+    : m_energy(patch, options.balance, options.aspect),
       m_preconditioner(patch),
       m_sweep(patch, options.balance),
       m_options(options),
@@ -45,6 +45,9 @@ public:
   {}
 
   const Patch& patch() const { return m_energy.patch(); }
+
+  /// what takes the unit square to the rectangle of a map: see `scale_to_rectangle()`
+  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(uv); }
 
   /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
   /// cost, in vertices visited.
@@ -54,7 +57,7 @@ public:
     double energy = m_energy(uv);
     int sweeps = 0;
     for(bool gains = true; gains && sweeps < Minimizer_numbers::MAXIMUM_SWEEPS; ++sweeps) {
-      m_sweep(is_free, uv);
+      m_sweep(is_free, m_energy.scale(uv), uv);
       const double reached = m_energy(uv);
       gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
       energy = reached;
@@ -121,7 +124,7 @@ public:
     }
     map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * patch().number_of_vertices();
     report.gradient_norm = workspace.gradient.norm();
-    report.l2 = std::sqrt(stretch_energy(patch(), map.uv));
+    measure_stretch(map);
     return map;
   }
 
@@ -131,14 +134,21 @@ public:
   {
     const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
     for(int i = 0; i < Minimizer_numbers::SETTLING_SWEEPS; ++i)
-      m_sweep(is_free, map.uv);
+      m_sweep(is_free, m_energy.scale(map.uv), map.uv);
     Uv_coordinates gradient;
     map.report.objective = map.report.history.back() = gradient_at(map.uv, is_free, gradient);
     map.report.gradient_norm = gradient.norm();
-    map.report.l2 = std::sqrt(stretch_energy(patch(), map.uv));
+    measure_stretch(map);
   }
 
 private:
+  /// on the rectangle of the energy
+  void measure_stretch(Minimized_map& map) const
+  {
+    map.aspect = m_energy.aspect(map.uv);
+    map.report.l2 = std::sqrt(stretch_energy(patch(), on_rectangle(map.uv, map.aspect)));
+  }
+
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
 
   /// far from the minimum the Hessian changes more from step to step
@@ -226,7 +236,7 @@ private:
   /// sweeps over the trial, makes it the map, remembers the step, and returns the energy
   double step(const Free_coordinates& is_free, Secant_memory& memory, Uv_coordinates& uv, Workspace& workspace) const
   {
-    m_sweep(is_free, workspace.trial);
+    m_sweep(is_free, m_energy.scale(workspace.trial), workspace.trial);
     workspace.previous_gradient.swap(workspace.gradient);
     const double energy = gradient_at(workspace.trial, is_free, workspace.gradient);
     memory.add(workspace.trial - uv, workspace.gradient - workspace.previous_gradient);

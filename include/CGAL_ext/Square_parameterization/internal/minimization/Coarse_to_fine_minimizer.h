@@ -43,13 +43,9 @@ public:
 
   bool has_sketches() const override { return m_minimizer.has_sketches(); }
 
-  Worker make_sketching_worker() const override
-  {
-    return [this, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](const Uv_coordinates& border_uv,
-                                                                                   const Uv_coordinates*) {
-      return has_chord_on_a_side(m_patch, border_uv) ? Minimized_map() : m_minimizer.sketch(border_uv, *workspace);
-    };
-  }
+  Worker make_sketching_worker() const override { return sketching_worker(m_minimizer.sketch_level()); }
+
+  Worker make_rough_worker() const override { return sketching_worker(m_minimizer.rough_level()); }
 
   Minimized_map finish(Minimized_map map) const override
   {
@@ -72,6 +68,15 @@ public:
   }
 
 private:
+  Worker sketching_worker(std::size_t level) const
+  {
+    return [this, level, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](
+               const Uv_coordinates& border_uv, const Uv_coordinates*) {
+      return has_chord_on_a_side(m_patch, border_uv) ? Minimized_map()
+                                                     : m_minimizer.sketch(level, border_uv, *workspace);
+    };
+  }
+
   /// maps for a border of area 1; one that is not the unit square does not slide
   Minimized_map map_unit_border(const Uv_coordinates& border_uv) const
   {

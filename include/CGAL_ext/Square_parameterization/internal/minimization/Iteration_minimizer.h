@@ -38,6 +38,7 @@ public:
   bool has_sketches() const override { return false; }
 
   Worker make_sketching_worker() const override { return {}; }
+  Worker make_rough_worker() const override { return {}; }
 
   /// a map of a worker is ready
   Minimized_map finish(Minimized_map map) const override { return map; }

@@ -35,6 +35,10 @@ public:
   /// \pre `has_sketches()`
   virtual Worker make_sketching_worker() const = 0;
 
+  /// the same on a patch so small that a map costs little, which may be the patch itself: to compare hundreds of borders.
+  /// Empty when the minimizer has no coarse patches.
+  virtual Worker make_rough_worker() const = 0;
+
   /// the map to deliver, made of the best map of a worker: candidates are mapped no better than needed to compare them
   virtual Minimized_map finish(Minimized_map map) const = 0;
 

@@ -107,17 +107,22 @@ public:
            Minimizer_numbers::LEAST_SKETCH_RATIO * sketched <= vertices;
   }
 
-  /// the least energy of one of the coarse patches for the border \p border_uv, by which borders can be compared: what
+  /// the patch whose maps are sketches
+  std::size_t sketch_level() const { return m_sketch_level; }
+
+  /// a patch whose maps cost little; the finest of them
+  std::size_t rough_level() const { return m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH); }
+
+  /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
   /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
-  /// \pre `has_sketches()`
-  Minimized_map sketch(const Uv_coordinates& border_uv, Workspace& workspace) const
+  Minimized_map sketch(std::size_t level, const Uv_coordinates& border_uv, Workspace& workspace) const
   {
     Descent descent;
     prepare(workspace);
-    Uv_coordinates uv = start(m_patches.borders(border_uv), m_sketch_level, workspace, descent);
+    Uv_coordinates uv = start(m_patches.borders(border_uv), level, workspace, descent);
     if(uv.rows() == 0)
       return Minimized_map();
-    Minimized_map map = map_to_compare(m_sketch_level, std::move(uv), workspace, descent);
+    Minimized_map map = map_to_compare(level, std::move(uv), workspace, descent);
     map.uv.resize(0, 2);
     return map;
   }
@@ -132,7 +137,10 @@ public:
   }
 
   /// what is minimised, of a map
-  double energy(const Uv_coordinates& uv) const { return Balanced_energy(m_patches[0], m_options.balance)(uv); }
+  double energy(const Uv_coordinates& uv) const
+  {
+    return Balanced_energy(m_patches[0], m_options.balance, m_options.aspect)(uv);
+  }
 
 private:
   /// how a coarse patch is mapped
@@ -241,7 +249,7 @@ private:
   Uv_coordinates insert(std::size_t level, const Uv_coordinates& uv, const Patch_sequence::Borders& borders) const
   {
     auto finer = insert_vertices(m_patches[level - 1], m_patches.coarse(level), uv, borders[level].removed_corners,
-                                 m_coarse_balance);
+                                 m_coarse_balance, m_minimizers[level]->scale(uv));
     return finer ? std::move(*finer) : Uv_coordinates();
   }
 

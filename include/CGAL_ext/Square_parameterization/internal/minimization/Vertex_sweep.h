@@ -36,9 +36,10 @@ public:
   }
 
   /// visits every vertex once, in order; \p uv has no flips before nor after
-  void operator()(const Free_coordinates& is_free, Uv_coordinates& uv) const
+  /// \param to_rectangle what takes the unit square to the rectangle of the energy
+  void operator()(const Free_coordinates& is_free, const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv) const
   {
-    Vertex_star star(m_balance);
+    Vertex_star star(m_balance, to_rectangle);
     for(Eigen::Index v = 0; v < uv.rows(); ++v) {
       if(!is_free(v, 0) && !is_free(v, 1))
         continue;

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_CHECK_MAPS_H
 
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/repair_flips.h>
@@ -47,7 +48,7 @@ Minimized_map if_one_to_one(const Patch& patch, Minimized_map map, const Objecti
   Minimization_report& report = map.report;
   report.l2 = report.objective = std::numeric_limits<double>::infinity();
   if(repair_flips(patch, map.uv)) {
-    report.l2 = std::sqrt(stretch_energy(patch, map.uv));
+    report.l2 = std::sqrt(stretch_energy(patch, on_rectangle(map.uv, map.aspect)));
     report.objective = objective_of(map.uv, report.l2);
   } else
     map.uv.resize(0, 2);

@@ -11,6 +11,7 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/measure.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
@@ -220,7 +221,8 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
     share_seam_samples(patch,
                        originals_in_disk(disk.edits, static_cast<int>(mesh.points.size()), patch.number_of_vertices()),
                        settings, outcome, report);
-  report.measures = measure(shapes_as_given(patch), patch.triangles, outcome.map.uv);
+  report.measures = measure(shapes_as_given(patch), patch.triangles, on_rectangle(outcome.map.uv, outcome.map.aspect));
+  report.aspect = outcome.map.aspect;
   Mapped_surface result{std::move(disk.edits), patch.triangles, outcome.map.uv, {}};
   for(int k = 0; k < 4; ++k)
     result.corners[k] = patch.border[outcome.report.corners[k]];

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
 #include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
@@ -64,7 +65,12 @@ public:
     if(m_evaluation.best_map().uv.rows() == 0 && m_sketches && has_passed(m_sketch_deadline))
       evaluate_best_sketch();
     m_evaluation.release_workers();
-    Search_outcome outcome{m_minimizer.finish(m_evaluation.best_map()), m_evaluation.report()};
+    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report()};
+    if(outcome.report.best_candidate)
+      outcome.report.corners = border_of(*outcome.report.best_candidate).corners;
+    if(m_options.moves_corners && outcome.report.best_candidate && !outcome.report.is_cancelled)
+      move_corners(outcome);
+    outcome.map = m_minimizer.finish(std::move(outcome.map));
     complete(outcome);
     if(m_options.visitor != nullptr)
       m_options.visitor->end_search(outcome.report);
@@ -88,6 +94,51 @@ private:
       m_evaluation({*best});
     } catch(const Search_cancelled&) { // there is no time left at all, or the callback wants no more
     }
+  }
+
+  /// moves the four corners on their own: first on a rough map, from those of the search and, where the rectangle is not
+  /// known, from others; then, as far as rough and fine maps differ, on the patch itself
+  void move_corners(Search_outcome& outcome)
+  {
+    const int n = static_cast<int>(m_patch.border.size());
+    Minimized_map best_map = outcome.map;
+    Corners best = outcome.report.corners;
+    const bool is_square = best_map.aspect == 1;
+    Corner_moves rough(m_patch.border_lengths, evaluate_corners(m_minimizer.make_rough_worker()));
+    std::vector<Corners> starts{best};
+    if(!is_square) {
+      const std::vector<Corners> others =
+          rough.spread(ROTATIONS, {0.03, 0.07, 0.12, 0.18, 0.25, 0.32, 0.38, 0.43, 0.47});
+      const auto compared = rough.compare(others);
+      for(std::size_t i = 0; i < compared.size() && i < DESCENTS; ++i)
+        starts.push_back(compared[i].corners);
+    }
+    std::vector<Corners> ends{best};
+    for(const Corners& start : starts)
+      ends.push_back(rough.descend(start, n / 8).corners);
+    Corner_moves fine(m_patch.border_lengths, evaluate_corners(m_minimizer.make_worker(), &best_map));
+    const Corner_moves::Choice found = fine.compare(ends).front();
+    if(found.objective < outcome.map.report.objective) {
+      outcome.report.corners = found.corners;
+      outcome.map = std::move(best_map);
+    }
+    outcome.report.corner_moves = rough.evaluations() + fine.evaluations();
+  }
+
+  /// \param best becomes the best map; null to keep none
+  Corner_moves::Objective_of evaluate_corners(Map_minimizer::Worker map_for, Minimized_map* best = nullptr) const
+  {
+    return [this, map_for = std::move(map_for), best](const std::vector<Corners>& choices) {
+      const Border_walk loop(m_patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+      std::vector<double> objectives;
+      for(const Corners& corners : choices) {
+        Minimized_map map = map_for(square_border(loop, corners).uv, nullptr);
+        objectives.push_back(map.report.objective);
+        if(best != nullptr && map.report.objective < best->report.objective)
+          *best = std::move(map);
+      }
+      return objectives;
+    };
   }
 
   Square_border border_of(int candidate) const
@@ -134,11 +185,12 @@ private:
       report.is_cancelled |= sketching.is_cancelled;
     }
     report.is_cancelled |= outcome.map.report.stop_reason == Stop_reason::DEADLINE;
-    if(report.best_candidate) {
+    if(report.best_candidate)
       report.best_objective = outcome.map.report.objective;
-      report.corners = border_of(*report.best_candidate).corners;
-    }
   }
+
+  static constexpr int ROTATIONS = 12;       // over half of the border, for each share of the sides
+  static constexpr std::size_t DESCENTS = 4; // from the best of these
 
   const Patch& m_patch;
   const Map_minimizer& m_minimizer;

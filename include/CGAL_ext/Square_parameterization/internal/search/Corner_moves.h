@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H
+
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// searches four corners among all border vertices by pattern search: all four, opposite pairs and single ones move by
+/// as many vertices, to and fro, to the best of these places; the steps halve where none is lower. Pure decisions over
+/// the objectives; each choice of corners is evaluated once. Deterministic.
+class Corner_moves
+{
+public:
+  /// the objectives of choices of corners, in their order; infinite for one without a map
+  typedef std::function<std::vector<double>(const std::vector<Corners>&)> Objective_of;
+
+  /// four corners and what they are worth
+  struct Choice
+  {
+    Corners corners;
+    double objective;
+
+    bool operator<(const Choice& other) const
+    {
+      return std::tie(objective, corners) < std::tie(other.objective, other.corners);
+    }
+  };
+
+  /// \param lengths #B, edge k joins border vertices k and k + 1
+  Corner_moves(std::vector<double> lengths, Objective_of objective_of)
+    : m_lengths(std::move(lengths)), m_objective_of(std::move(objective_of))
+  {}
+
+  /// the number of choices that were evaluated
+  std::size_t evaluations() const { return m_known.size(); }
+
+  /// evaluates choices, and returns them from the best to the worst
+  std::vector<Choice> compare(const std::vector<Corners>& corners)
+  {
+    const std::set<Corners> distinct(corners.begin(), corners.end());
+    std::vector<Corners> unknown;
+    for(const Corners& choice : distinct)
+      if(m_known.count(choice) == 0)
+        unknown.push_back(choice);
+    const std::vector<double> objectives = m_objective_of(unknown);
+    for(std::size_t i = 0; i < unknown.size(); ++i)
+      m_known[unknown[i]] = objectives[i];
+    std::vector<Choice> choices;
+    for(const Corners& choice : distinct)
+      choices.push_back({choice, m_known.at(choice)});
+    std::sort(choices.begin(), choices.end());
+    return choices;
+  }
+
+  /// moves corners downhill
+  /// \param first_step in border vertices
+  Choice descend(Corners corners, int first_step)
+  {
+    Choice best = compare({corners}).front();
+    for(int step = (std::max)(1, first_step); step > 0;) {
+      const std::vector<Choice> choices = compare(moved(best.corners, step));
+      if(!choices.empty() && choices.front().objective < best.objective)
+        best = choices.front();
+      else
+        step /= 2;
+    }
+    return best;
+  }
+
+  /// choices spread over the border: so many rotations over half of it, each with sides of the given shares of the
+  /// border, first and third, and what is left of a half for the others
+  std::vector<Corners> spread(int rotations, const std::vector<double>& shares) const
+  {
+    std::vector<Corners> result;
+    for(int i = 0; i < rotations; ++i)
+      for(double share : shares) {
+        const double start = 0.5 * i / rotations;
+        if(const auto corners = at({start, start + share, start + 0.5, start + 0.5 + share}))
+          result.push_back(*corners);
+      }
+    return result;
+  }
+
+private:
+  int size() const { return static_cast<int>(m_lengths.size()); }
+
+  /// the border vertices nearest to shares of the length of the border; none when two are one
+  std::optional<Corners> at(const std::array<double, 4>& shares) const
+  {
+    double total = 0;
+    for(double length : m_lengths)
+      total += length;
+    Corners corners{};
+    for(int k = 0; k < 4; ++k) {
+      const double aim = (shares[k] - std::floor(shares[k])) * total;
+      double before = 0, least = std::numeric_limits<double>::infinity();
+      for(int v = 0; v < size(); before += m_lengths[v++])
+        if(const double distance = (std::min)(std::abs(before - aim), total - std::abs(before - aim));
+           distance < least) {
+          least = distance;
+          corners[k] = v;
+        }
+    }
+    return is_in_order(corners) ? std::optional<Corners>(corners) : std::nullopt;
+  }
+
+  bool is_in_order(const Corners& corners) const
+  {
+    int steps = 0;
+    for(int k = 0; k < 4; ++k) {
+      const int side = (corners[(k + 1) % 4] - corners[k] + size()) % size();
+      steps += side;
+      if(side == 0)
+        return false;
+    }
+    return steps == size();
+  }
+
+  std::vector<Corners> moved(const Corners& corners, int step) const
+  {
+    static const std::array<std::array<int, 4>, 9> directions{{{1, 1, 1, 1},
+                                                               {1, 0, 1, 0},
+                                                               {0, 1, 0, 1},
+                                                               {1, 0, -1, 0},
+                                                               {0, 1, 0, -1},
+                                                               {1, 0, 0, 0},
+                                                               {0, 1, 0, 0},
+                                                               {0, 0, 1, 0},
+                                                               {0, 0, 0, 1}}};
+    std::vector<Corners> result;
+    for(const auto& direction : directions)
+      for(int sign : {-1, 1}) {
+        Corners next = corners;
+        for(int k = 0; k < 4; ++k)
+          next[k] = (corners[k] + sign * step * direction[k] % size() + size()) % size();
+        if(is_in_order(next))
+          result.push_back(next);
+      }
+    return result;
+  }
+
+  std::vector<double> m_lengths;
+  Objective_of m_objective_of;
+  std::map<Corners, double> m_known;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H

@@ -41,7 +41,7 @@ void write_output(std::ostream& stream, Job& job)
   if(extension == "glb")
     write_glb(stream, job.flat->points, job.flat->normals, job.flat->uv, job.flat->triangles, job.texture);
   else
-    write_map(stream, job.mesh, job.uv, job.originals, extension,
+    write_map(stream, job.mesh, job.uv, job.originals, extension, job.result.aspect,
               has_material(line) ? std::filesystem::path(beside(line.output, ".mtl")).filename().string() : "");
 }
 

@@ -127,6 +127,50 @@ TEST_CASE("gradient and Hessian of the balanced energy agree with finite differe
     }
 }
 
+TEST_CASE("on a rectangle the energy is that of the stretched map, and the best aspect is that of a scan")
+{
+  for(const Patch& patch : patches())
+    for(double balance : {0., 0.3, 1.}) {
+      const Uv_coordinates uv = some_map(patch);
+      const Balanced_energy best(patch, balance, std::nullopt);
+      double least = std::numeric_limits<double>::infinity();
+      for(int k = -400; k <= 400; ++k) {
+        const double aspect = std::exp(0.01 * k);
+        const double energy = Balanced_energy(patch, balance, aspect)(uv);
+        Uv_coordinates stretched = uv;
+        stretched.col(0) *= std::sqrt(aspect);
+        stretched.col(1) /= std::sqrt(aspect);
+        CHECK(energy == Approx(energy_by_definition(patch, stretched, balance)).epsilon(1e-12));
+        least = (std::min)(least, energy);
+      }
+      CHECK(best(uv) <= least);
+      CHECK(best(uv) == Approx(least).epsilon(1e-3));
+      CHECK(best(uv) == Approx(Balanced_energy(patch, balance, best.aspect(uv))(uv)).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("the gradient of the energy on the best rectangle, and on a given one, agrees with finite differences")
+{
+  const double h = 1e-6;
+  for(const Patch& patch : patches())
+    for(std::optional<double> aspect :
+        {std::optional<double>(), std::optional<double>(3), std::optional<double>(0.02)}) {
+      const Balanced_energy energy(patch, 0.3, aspect);
+      Uv_coordinates uv = some_map(patch), gradient;
+      energy.gradient(uv, gradient);
+      for(int k = 0; k < 2 * uv.rows(); k += 5) {
+        double& x = uv(k / 2, k % 2);
+        const double here = x;
+        x = here + h;
+        const double above = energy(uv);
+        x = here - h;
+        const double below = energy(uv);
+        x = here;
+        CHECK(std::abs((above - below) / (2 * h) - gradient(k / 2, k % 2)) < 1e-5 * gradient.cwiseAbs().maxCoeff());
+      }
+    }
+}
+
 TEST_CASE("the blocks of the Hessian are those of the shifted Hessian with its negative eigenvalues clamped")
 {
   for(const Patch& patch : patches()) {
@@ -138,7 +182,7 @@ TEST_CASE("the blocks of the Hessian are those of the shifted Hessian with its n
         const Eigen::Matrix4d clamped =
             modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose();
         const Eigen::Matrix<double, 6, 6> expected = by_corners(patch.shapes[f], clamped);
-        const auto blocks = Balanced_energy(patch, balance).hessian_blocks(f, uv);
+        const auto blocks = Balanced_energy(patch, balance).hessian_blocks(f, uv, {1, 1});
         for(int i = 0; i < 3; ++i)
           for(int j = 0; j < 3; ++j)
             for(int axis = 0; axis < 2; ++axis)

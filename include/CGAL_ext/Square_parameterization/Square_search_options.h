@@ -27,9 +27,10 @@ struct Square_search_options
                                       ///< large (1 to 3 kB a vertex); the result is the same for any number
   Search_visitor* visitor = nullptr;  ///< is told of the search and of the minimization of the map; may be null
 
-  /// after the search the four corners move on their own, all together, in pairs and alone, as long as that lowers the
-  /// energy; on a coarse mesh first. The rectangle is then also sought from other shares of the sides than quarters. For
-  /// `Balanced_minimization` alone. The strategy and its curve stay as they are.
+  /// whether after the search the four corners move on their own, all together, in pairs and alone, as long as that
+  /// lowers the energy of a coarse map. A rectangle that is not the square is also sought from other shares of the sides
+  /// than quarters. The best of what comes out and of the candidates is delivered; the strategy and its curve stay as
+  /// they are. Has an effect with `Balanced_minimization` alone.
   bool moves_corners = false;
 
   /// when it has passed, no evaluation and no sketch begins, what is being minimised is left as it is, and the best

@@ -24,10 +24,13 @@ typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> UV_map;
 /// surface, in their order, followed by the midpoints of split chords: a seam parts texture vertices alone. Vertices
 /// without a face, and those of components that are not mapped, are left out.
 /// \param originals per vertex of the cut mesh, the vertex of the uncut one; vertices beyond are midpoints
+/// \param aspect width over height of the rectangle that the unit square stands for: a comment, unless it is 1
 /// \param materials the name of the file with the material `square`; empty for none
 inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv, const std::vector<int>& originals,
-                      const std::string& materials = "")
+                      double aspect, const std::string& materials)
 {
+  if(aspect != 1)
+    stream << "# aspect " << aspect << '\n';
   if(!materials.empty())
     stream << "mtllib " << materials << "\nusemtl square\n";
   const std::size_t uncut = originals.empty() ? 0 : *std::max_element(originals.begin(), originals.end()) + 1;
@@ -49,12 +52,13 @@ inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv, const s
 
 /// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point),
 /// ply (vertex properties s and t), or stl (the mesh alone)
+/// \param aspect of an OBJ file, see `write_obj()`
 /// \param materials of an OBJ file, see `write_obj()`
 inline void write_map(std::ostream& stream, Mesh& mesh, UV_map uv, const std::vector<int>& originals,
-                      const std::string& extension, const std::string& materials = "")
+                      const std::string& extension, double aspect, const std::string& materials = "")
 {
   if(extension == "obj")
-    write_obj(stream, mesh, uv, originals, materials);
+    write_obj(stream, mesh, uv, originals, aspect, materials);
   else if(extension == "off")
     CGAL::IO::write_OFF(stream, mesh, CGAL::parameters::vertex_texture_map(uv).stream_precision(17));
   else if(extension == "stl")

@@ -156,7 +156,7 @@ struct Minimizer_numbers
   static constexpr int LARGEST_SKETCH = 2000;
 
   /// vertices of the patch on which corners are moved, at most: hundreds of maps are compared there
-  static constexpr int LARGEST_ROUGH = 600;
+  static constexpr int LARGEST_ROUGH = 300;
 
   /// vertices from which on a patch is sketched: below, maps cost little more than sketches
   static constexpr int SMALLEST_SKETCHED = 8000;

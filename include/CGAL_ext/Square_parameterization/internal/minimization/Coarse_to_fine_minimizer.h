@@ -45,6 +45,8 @@ public:
 
   Worker make_sketching_worker() const override { return sketching_worker(m_minimizer.sketch_level()); }
 
+  bool has_rough_maps() const override { return true; }
+
   Worker make_rough_worker() const override { return sketching_worker(m_minimizer.rough_level()); }
 
   Minimized_map finish(Minimized_map map) const override

@@ -39,6 +39,7 @@ public:
 
   Worker make_sketching_worker() const override { return {}; }
   Worker make_rough_worker() const override { return {}; }
+  bool has_rough_maps() const override { return false; }
 
   /// a map of a worker is ready
   Minimized_map finish(Minimized_map map) const override { return map; }

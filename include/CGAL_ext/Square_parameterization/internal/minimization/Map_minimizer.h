@@ -36,8 +36,11 @@ public:
   virtual Worker make_sketching_worker() const = 0;
 
   /// the same on a patch so small that a map costs little, which may be the patch itself: to compare hundreds of borders.
-  /// Empty when the minimizer has no coarse patches.
+  /// \pre `has_rough_maps()`
   virtual Worker make_rough_worker() const = 0;
+
+  /// indicates whether the minimizer has coarse patches
+  virtual bool has_rough_maps() const = 0;
 
   /// the map to deliver, made of the best map of a worker: candidates are mapped no better than needed to compare them
   virtual Minimized_map finish(Minimized_map map) const = 0;

@@ -86,18 +86,22 @@ public:
     return best;
   }
 
-  /// choices spread over the border: so many rotations over half of it, each with sides of the given shares of the
-  /// border, first and third, and what is left of a half for the others
-  std::vector<Corners> spread(int rotations, const std::vector<double>& shares) const
+  /// the best of choices that are spread over the border, to start from where the rectangle may be far from the square:
+  /// the first and the third side have one of several shares of the border, the others what is left of a half
+  std::vector<Choice> best_of_spread()
   {
-    std::vector<Corners> result;
-    for(int i = 0; i < rotations; ++i)
-      for(double share : shares) {
-        const double start = 0.5 * i / rotations;
+    constexpr int ROTATIONS = 12; // over half of the border
+    constexpr std::size_t BEST = 4;
+    std::vector<Corners> spread;
+    for(int i = 0; i < ROTATIONS; ++i)
+      for(double share : {0.03, 0.07, 0.12, 0.18, 0.25, 0.32, 0.38, 0.43, 0.47}) {
+        const double start = 0.5 * i / ROTATIONS;
         if(const auto corners = at({start, start + share, start + 0.5, start + 0.5 + share}))
-          result.push_back(*corners);
+          spread.push_back(*corners);
       }
-    return result;
+    std::vector<Choice> choices = compare(spread);
+    choices.resize((std::min)(choices.size(), BEST));
+    return choices;
   }
 
 private:

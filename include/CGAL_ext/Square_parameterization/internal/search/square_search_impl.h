@@ -6,13 +6,16 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
 #include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -68,7 +71,8 @@ public:
     Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report()};
     if(outcome.report.best_candidate)
       outcome.report.corners = border_of(*outcome.report.best_candidate).corners;
-    if(m_options.moves_corners && outcome.report.best_candidate && !outcome.report.is_cancelled)
+    if(m_options.moves_corners && m_minimizer.has_rough_maps() && outcome.report.best_candidate &&
+       !outcome.report.is_cancelled)
       move_corners(outcome);
     outcome.map = m_minimizer.finish(std::move(outcome.map));
     complete(outcome);
@@ -96,49 +100,37 @@ private:
     }
   }
 
-  /// moves the four corners on their own: first on a rough map, from those of the search and, where the rectangle is not
-  /// known, from others; then, as far as rough and fine maps differ, on the patch itself
+  /// moves the four corners on their own on a rough map, from those of the search and, where the rectangle is not the
+  /// square, from others; what comes out is compared on the patch itself
   void move_corners(Search_outcome& outcome)
   {
-    const int n = static_cast<int>(m_patch.border.size());
-    Minimized_map best_map = outcome.map;
-    Corners best = outcome.report.corners;
-    const bool is_square = best_map.aspect == 1;
-    Corner_moves rough(m_patch.border_lengths, evaluate_corners(m_minimizer.make_rough_worker()));
-    std::vector<Corners> starts{best};
-    if(!is_square) {
-      const std::vector<Corners> others =
-          rough.spread(ROTATIONS, {0.03, 0.07, 0.12, 0.18, 0.25, 0.32, 0.38, 0.43, 0.47});
-      const auto compared = rough.compare(others);
-      for(std::size_t i = 0; i < compared.size() && i < DESCENTS; ++i)
-        starts.push_back(compared[i].corners);
+    const int first_step = static_cast<int>(m_patch.border.size()) / 8;
+    Corner_evaluation rough_maps([this] { return m_minimizer.make_rough_worker(); }, m_patch, m_threads, may_go_on());
+    Corner_evaluation maps([this] { return m_minimizer.make_worker(); }, m_patch, m_threads, may_go_on());
+    Corner_moves moves(m_patch.border_lengths, [&](const auto& choices) { return rough_maps(choices); });
+    try {
+      std::vector<Corners> starts{outcome.report.corners};
+      if(outcome.map.aspect != 1)
+        for(const Corner_moves::Choice& choice : moves.best_of_spread())
+          starts.push_back(choice.corners);
+      std::set<Corners> ends;
+      for(const Corners& start : starts)
+        ends.insert(moves.descend(start, first_step).corners);
+      ends.erase(outcome.report.corners);
+      maps({ends.begin(), ends.end()});
+    } catch(const Search_cancelled&) {
+      outcome.report.is_cancelled = true;
     }
-    std::vector<Corners> ends{best};
-    for(const Corners& start : starts)
-      ends.push_back(rough.descend(start, n / 8).corners);
-    Corner_moves fine(m_patch.border_lengths, evaluate_corners(m_minimizer.make_worker(), &best_map));
-    const Corner_moves::Choice found = fine.compare(ends).front();
-    if(found.objective < outcome.map.report.objective) {
-      outcome.report.corners = found.corners;
-      outcome.map = std::move(best_map);
+    if(maps.best_map().report.objective < outcome.map.report.objective) {
+      outcome.report.corners = maps.best_corners();
+      outcome.map = maps.best_map();
     }
-    outcome.report.corner_moves = rough.evaluations() + fine.evaluations();
+    outcome.report.corner_moves = moves.evaluations();
   }
 
-  /// \param best becomes the best map; null to keep none
-  Corner_moves::Objective_of evaluate_corners(Map_minimizer::Worker map_for, Minimized_map* best = nullptr) const
+  std::function<bool()> may_go_on() const
   {
-    return [this, map_for = std::move(map_for), best](const std::vector<Corners>& choices) {
-      const Border_walk loop(m_patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-      std::vector<double> objectives;
-      for(const Corners& corners : choices) {
-        Minimized_map map = map_for(square_border(loop, corners).uv, nullptr);
-        objectives.push_back(map.report.objective);
-        if(best != nullptr && map.report.objective < best->report.objective)
-          *best = std::move(map);
-      }
-      return objectives;
-    };
+    return [this] { return may_continue(1, m_options.deadline); };
   }
 
   Square_border border_of(int candidate) const
@@ -188,9 +180,6 @@ private:
     if(report.best_candidate)
       report.best_objective = outcome.map.report.objective;
   }
-
-  static constexpr int ROTATIONS = 12;       // over half of the border, for each share of the sides
-  static constexpr std::size_t DESCENTS = 4; // from the best of these
 
   const Patch& m_patch;
   const Map_minimizer& m_minimizer;

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_EVALUATION_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_EVALUATION_H
+
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+
+#include <functional>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// maps a patch for choices of four corners, concurrently, and keeps the best map; the result is the same for any number
+/// of threads
+class Corner_evaluation
+{
+public:
+  /// \param may_continue asked before each map, by one thread at a time; `false` stops
+  Corner_evaluation(std::function<Map_minimizer::Worker()> make_worker, const Patch& patch,
+                    unsigned int number_of_threads, std::function<bool()> may_continue)
+    : m_make_worker(std::move(make_worker)),
+      m_loop(patch.border_lengths, Walk::COUNTER_CLOCKWISE),
+      m_team(number_of_threads, MOST_TASKS),
+      m_may_continue(std::move(may_continue))
+  {}
+
+  /// the objectives of choices, which are positions in the border loop, in their order; infinite for one without a map.
+  /// Throws `Search_cancelled` when it is not to continue.
+  std::vector<double> operator()(const std::vector<Corners>& choices)
+  {
+    std::vector<Minimized_map> maps(choices.size());
+    m_team(choices.size(), [&](std::size_t i) {
+      if(may_continue())
+        maps[i] = map_for(choices[i]);
+    });
+    if(m_is_cancelled)
+      throw Search_cancelled();
+    std::vector<double> objectives;
+    for(std::size_t i = 0; i < choices.size(); ++i) {
+      objectives.push_back(maps[i].report.objective);
+      if(objectives.back() < m_best_map.report.objective) {
+        m_best_map = std::move(maps[i]);
+        m_best_corners = choices[i];
+      }
+    }
+    return objectives;
+  }
+
+  const Minimized_map& best_map() const { return m_best_map; }
+  const Corners& best_corners() const { return m_best_corners; }
+
+private:
+  static constexpr int MOST_TASKS = 128; // at a time: a spread of choices
+
+  bool may_continue()
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_is_cancelled = m_is_cancelled || !m_may_continue();
+    return !m_is_cancelled;
+  }
+
+  Minimized_map map_for(const Corners& corners)
+  {
+    Map_minimizer::Worker worker = take_worker();
+    Minimized_map map = worker(square_border(m_loop, corners).uv, nullptr);
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_idle_workers.push_back(std::move(worker));
+    return map;
+  }
+
+  Map_minimizer::Worker take_worker()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if(!m_idle_workers.empty()) {
+        Map_minimizer::Worker worker = std::move(m_idle_workers.back());
+        m_idle_workers.pop_back();
+        return worker;
+      }
+    }
+    return m_make_worker();
+  }
+
+  std::function<Map_minimizer::Worker()> m_make_worker;
+  const Border_walk m_loop;
+  Thread_team m_team;
+  std::function<bool()> m_may_continue;
+  std::mutex m_mutex; // of the callback and of the workers
+  std::vector<Map_minimizer::Worker> m_idle_workers;
+  bool m_is_cancelled = false;
+  Minimized_map m_best_map;
+  Corners m_best_corners{};
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_EVALUATION_H

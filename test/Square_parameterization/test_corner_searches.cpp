@@ -5,9 +5,6 @@
 #include "test_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Few_corners_search.h>
 
 #include <catch2/catch.hpp>
@@ -241,64 +238,4 @@ TEST_CASE("bracketing ends early where maps are slow, and not where they are not
   CHECK(slow_sketches.best_candidate == 150); // the nearest of eight to 140
   conditions.work_per_map = 10;
   CHECK(search_curve(curve, Bracketing_corner_search(), conditions).best_candidate == 137);
-}
-
-TEST_CASE("corners that move find what brute force over all four corners finds, on 9 of 10 surfaces")
-{
-  int found = 0;
-  const bool is_square = GENERATE(true, false);
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    const Patch patch = make_patch_of(seed % 2 == 0 ? rectangle(6, 4, 2.5, 1, seed) : noisy_height_field(5, seed));
-    REQUIRE(patch.border.size() == 20);
-    Balanced_minimization minimization;
-    if(!is_square)
-      minimization.aspect.reset();
-    const auto minimizer = make_minimizer(patch, minimization);
-    Corner_evaluation all([&] { return minimizer->make_worker(); }, patch, 0, [] { return true; });
-    std::vector<Corners> choices;
-    for(int a = 0; a < 20; ++a)
-      for(int b = a + 1; b < 20; ++b)
-        for(int c = b + 1; c < 20; ++c)
-          for(int d = c + 1; d < 20; ++d)
-            choices.push_back({a, b, c, d});
-    all(choices);
-    Square_search_options options;
-    const double energy =
-        search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.report.objective;
-    found += energy <= 1.001 * all.best_map().report.objective;
-  }
-  CHECK(found >= 9);
-}
-
-TEST_CASE("a developable strip is mapped without stretch onto its rectangle")
-{
-  for(double aspect : {1., 2.5, 10., 100.}) {
-    const int columns = aspect > 5 ? 60 : 16;
-    const Patch patch = make_patch_of(rectangle(columns, aspect > 20 ? 4 : 6, aspect, 1, 5));
-    Balanced_minimization minimization;
-    minimization.aspect.reset();
-    const Search_outcome outcome =
-        search_square_map(patch, *make_minimizer(patch, minimization), Bracketing_corner_search(), {});
-    CAPTURE(aspect);
-    CHECK(outcome.map.report.objective == Approx(2.6).margin(1e-4));
-    CHECK((std::max)(outcome.map.aspect, 1 / outcome.map.aspect) == Approx(aspect).epsilon(0.01));
-  }
-}
-
-TEST_CASE("corners that move are never worse than those of the quarters, and do not depend on the threads")
-{
-  for(unsigned int seed : {1u, 2u}) {
-    const Patch patch = make_patch_of(noisy_height_field(12, seed));
-    const auto minimizer = make_minimizer(patch, Balanced_minimization());
-    Square_search_options options;
-    options.number_of_threads = 1;
-    const Search_outcome moved = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
-    options.number_of_threads = 3;
-    CHECK(search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.uv == moved.map.uv);
-    CHECK(moved.report.corner_moves > 0);
-    options.moves_corners = false;
-    const Search_outcome quarters = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
-    CHECK(moved.map.report.objective <= quarters.map.report.objective * (1 + 1e-6));
-    CHECK(quarters.report.corner_moves == 0);
-  }
 }

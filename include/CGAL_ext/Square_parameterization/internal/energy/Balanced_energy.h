@@ -40,7 +40,7 @@ class Balanced_energy
 public:
   /// \param aspect width over height of the rectangle; none for the best one of each map
   Balanced_energy(const Patch& patch, double balance, std::optional<double> aspect = 1)
-    : m_patch(patch), m_balance(balance), m_aspect(aspect)
+    : m_patch(patch), m_balance(balance), m_aspect(aspect.value_or(1)), m_is_aspect_given(aspect.has_value())
   {}
 
   const Patch& patch() const { return m_patch; }
@@ -50,8 +50,8 @@ public:
   /// counter-clockwise and the best is asked for
   double aspect(const Uv_coordinates& uv) const
   {
-    if(m_aspect)
-      return *m_aspect;
+    if(m_is_aspect_given)
+      return m_aspect;
     double along_u = 0, along_v = 0; // P and Q
     for(int f = 0; f < m_patch.number_of_faces(); ++f) {
       const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, {1, 1});
@@ -231,7 +231,8 @@ private:
 
   const Patch& m_patch;
   double m_balance;
-  std::optional<double> m_aspect;
+  double m_aspect;
+  bool m_is_aspect_given;
 };
 
 } // namespace internal

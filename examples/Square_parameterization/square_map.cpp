@@ -3,6 +3,7 @@
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
 #include "include/square_map/Output_set.h"
+#include "include/square_map/map_first_candidate.h"
 #include "include/square_map/messages.h"
 #include "include/square_map/out_of_memory.h"
 #include "include/square_map/report.h"
@@ -10,6 +11,7 @@
 #include "include/square_map/spare_address_space.h"
 #include "include/square_map/write_glb.h"
 #include "include/square_map/write_grid_mesh.h"
+#include "include/square_map/write_page.h"
 #include "include/square_map/write_svg.h"
 
 #include <CGAL/version_macros.h>
@@ -76,6 +78,7 @@ void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
     add_material(job, outputs);
   add_image_outputs(job, outputs);
   outputs.add(job.line.svg, [&job](std::ostream& stream) { write_svg(stream, *job.flat, job); });
+  outputs.add(job.line.page, [&job](std::ostream& stream) { write_page(stream, *job.flat, job, *job.first); });
   outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
     nlohmann::ordered_json report = make_report(job); // measuring the image takes time, too
     job.seconds.write = watch.total() - job.seconds.total;
@@ -106,16 +109,18 @@ Vertex_colors flat_colors(const Job& job)
   return completed_colors(std::move(colors), job.flat->points, job.flat->triangles);
 }
 
-/// makes what the outputs are made of: the map as arrays, and the samples
+/// makes what the outputs are made of: the map as arrays, the samples, and the map of the first candidate
 void sample_map(Job& job)
 {
   const Command_line& line = job.line;
-  if(makes_image(line) || !line.svg.empty() || output_extension(line.output) == "glb")
+  if(makes_image(line) || !line.svg.empty() || !line.page.empty() || output_extension(line.output) == "glb")
     job.flat = flat_map(job.mesh, job.uv, job.originals);
   if(!line.attributes.empty())
     job.flat->colors = flat_colors(job);
   if(makes_image(line))
     job.image = make_geometry_image(*job.flat, *line.resolution, job.result.seam_samples);
+  if(!line.page.empty())
+    job.first = map_first_candidate(job);
 }
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)

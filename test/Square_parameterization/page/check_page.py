@@ -190,7 +190,7 @@ def check(arguments, browser):
     end = time.monotonic() + 20 * arguments.seconds
     while first_picture is None and time.monotonic() < end:
         time.sleep(0.05)
-        first_picture = browser.value_of("document.documentElement.dataset.firstPicture")
+        first_picture = browser.value_of("document.documentElement?.dataset.firstPicture")
     faults = []
     if first_picture is None:
         faults.append("no picture is drawn: " + str(browser.value_of("document.body.innerText")))

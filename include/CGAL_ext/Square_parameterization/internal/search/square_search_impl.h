@@ -64,6 +64,8 @@ public:
     if(m_evaluation.best_map().uv.rows() == 0 && m_sketches && has_passed(m_sketch_deadline))
       evaluate_best_sketch();
     m_evaluation.release_workers();
+    if(m_options.visitor != nullptr)
+      m_options.visitor->start_minimization();
     Search_outcome outcome{m_minimizer.finish(m_evaluation.best_map()), m_evaluation.report()};
     complete(outcome);
     if(m_options.visitor != nullptr)

@@ -8,6 +8,7 @@ packages=(
   libcgal-dev libeigen3-dev libboost-dev               # the library
   libboost-program-options-dev nlohmann-json3-dev      # the command
   libpng-dev libtinyexr-dev libtinygltf-dev            # its pictures and textured files
+  libjs-three                                          # its page
   libcgal-demo                                         # real meshes
 )
 # what only some scripts need is named by them

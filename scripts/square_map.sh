@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the release preset and runs square_map with the given arguments.
-# Without arguments it maps a real mesh, the bust of Nefertiti.
+# Without arguments it maps a real mesh, the bust of Nefertiti, and writes a page that shows the map.
 set -euo pipefail
 caller_folder=$PWD
 extra_packages=()
@@ -19,6 +19,8 @@ square_map=$PWD/build/bin/square_map
 default_mesh=$PWD/build/data/meshes/nefertiti.off
 cd "$caller_folder"
 if [ $# -eq 0 ]; then
-  exec "$square_map" "$default_mesh" -o nefertiti.obj
+  "$square_map" "$default_mesh" -o nefertiti.obj --report nefertiti.html
+  echo "wrote nefertiti.obj, and nefertiti.html to look at in a browser" >&2
+  exit
 fi
 exec "$square_map" "$@"

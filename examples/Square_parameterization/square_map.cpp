@@ -3,6 +3,8 @@
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
 #include "include/square_map/Output_set.h"
+#include "include/square_map/Progress.h"
+#include "include/square_map/map_first_candidate.h"
 #include "include/square_map/messages.h"
 #include "include/square_map/out_of_memory.h"
 #include "include/square_map/report.h"
@@ -10,6 +12,7 @@
 #include "include/square_map/spare_address_space.h"
 #include "include/square_map/write_glb.h"
 #include "include/square_map/write_grid_mesh.h"
+#include "include/square_map/write_page.h"
 #include "include/square_map/write_svg.h"
 
 #include <CGAL/version_macros.h>
@@ -76,6 +79,7 @@ void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
     add_material(job, outputs);
   add_image_outputs(job, outputs);
   outputs.add(job.line.svg, [&job](std::ostream& stream) { write_svg(stream, *job.flat, job); });
+  outputs.add(job.line.page, [&job](std::ostream& stream) { write_page(stream, *job.flat, job, *job.first); });
   outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
     nlohmann::ordered_json report = make_report(job); // measuring the image takes time, too
     job.seconds.write = watch.total() - job.seconds.total;
@@ -106,16 +110,18 @@ Vertex_colors flat_colors(const Job& job)
   return completed_colors(std::move(colors), job.flat->points, job.flat->triangles);
 }
 
-/// makes what the outputs are made of: the map as arrays, and the samples
+/// makes what the outputs are made of: the map as arrays, the samples, and the map of the first candidate
 void sample_map(Job& job)
 {
   const Command_line& line = job.line;
-  if(makes_image(line) || !line.svg.empty() || output_extension(line.output) == "glb")
+  if(makes_image(line) || !line.svg.empty() || !line.page.empty() || output_extension(line.output) == "glb")
     job.flat = flat_map(job.mesh, job.uv, job.originals);
   if(!line.attributes.empty())
     job.flat->colors = flat_colors(job);
   if(makes_image(line))
     job.image = make_geometry_image(*job.flat, *line.resolution, job.result.seam_samples);
+  if(!line.page.empty())
+    job.first = map_first_candidate(job);
 }
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
@@ -198,12 +204,11 @@ void check_corners(const Job& job)
 }
 
 /// maps the mesh. Throws for corners that are none; other failures are in the status of the result.
-void map_mesh(Job& job)
+void map_mesh(Job& job, Progress& progress)
 {
   Command_line& line = job.line;
-  Progress progress(line.minimizer == "optimal" ? "energy" : "stretch");
-  if(!line.is_quiet && isatty(STDERR_FILENO) != 0)
-    line.options.search_options.visitor = &progress;
+  progress.start("mapping");
+  line.options.search_options.visitor = &progress;
   job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(line.options));
   line.options.search_options.visitor = nullptr;
   if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
@@ -217,6 +222,8 @@ Exit_status run(Command_line command_line)
   Stopwatch watch;
   Job job(std::move(command_line));
   const CGAL_ext::Square_map_result<Mesh>& result = job.result;
+  Progress progress(job.line);
+  progress.start("reading");
   CGAL_ext::internal::Surface_soup soup = read_input(job);
   check_corners(job);
   read_texture(job);
@@ -225,20 +232,25 @@ Exit_status run(Command_line command_line)
   add_outputs(job, watch, outputs);
   make_mesh_of(std::move(soup), job);
   const double mesh_seconds = watch.lap();
-  map_mesh(job);
+  map_mesh(job, progress);
   job.seconds.condition = mesh_seconds + result.condition_seconds;
   job.seconds.cut = result.cut_seconds;
   job.seconds.search = result.search_seconds;
   job.seconds.final = watch.lap() - result.cut_seconds - result.condition_seconds - result.search_seconds;
   if(result.status != CGAL::Surface_mesh_parameterization::OK) {
+    progress.clear();
     std::cerr << "square_map: " << (result.search.is_cancelled ? "the time limit was reached: " : "") << result.message
               << '\n';
     return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
+  if(!job.line.page.empty() || makes_image(job.line))
+    progress.start("sampling");
   sample_map(job);
   job.seconds.sample = watch.lap();
   job.seconds.total = watch.total(); // before the outputs are written
+  progress.start("writing");
   outputs.write_and_commit();
+  progress.clear();
   job.seconds.total = watch.total();
   if(!job.line.is_quiet) {
     tell_passed_over(job.passed_over);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "closed_meshes.h"
 #include "test_command_line_checks.h"
+#include "test_command_line_closed.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -54,16 +54,6 @@ Image<float> read_exr(const std::string& bytes)
     image.pixels.push_back({values[4 * k], values[4 * k + 1], values[4 * k + 2]});
   std::free(values);
   return image;
-}
-
-Soup soup_of(const Closed_mesh& mesh)
-{
-  Soup soup;
-  for(const Eigen::Vector3d& p : mesh.points)
-    soup.points.push_back({p.x(), p.y(), p.z()});
-  for(const auto& [a, b, c] : mesh.triangles)
-    soup.faces.push_back({a, b, c});
-  return soup;
 }
 
 /// what the command was asked for, all of it

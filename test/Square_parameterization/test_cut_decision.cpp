@@ -337,3 +337,31 @@ TEST_CASE("what is no disk is refused when it is not to be cut")
   CHECK_THROWS_AS(decide(surface_of(tetrahedron()), options), Unmappable);
   CHECK(decide(surface_of(plane(4, 1)), options).cut.edges().empty());
 }
+
+TEST_CASE("a visitor is told of the shares of the comparison of cuts that are done")
+{
+  struct Shares : Search_visitor
+  {
+    void cut_progress(double share) override { shares.push_back(share); }
+    std::vector<double> shares;
+  };
+  for(unsigned int threads : {1u, 3u}) {
+    Shares visitor;
+    Seam_options options;
+    options.visitor = &visitor;
+    options.number_of_threads = threads;
+    const Triangle_surface surface = surface_of(ellipsoid(3, 2));
+    const Cut cut = decide(surface, options).cut;
+    CHECK(cut.edges() == decide(surface).cut.edges());
+    CHECK(visitor.shares.size() > 10);
+    CHECK(visitor.shares.front() == 0);
+    CHECK(visitor.shares.back() == 1);
+    CHECK(std::is_sorted(visitor.shares.begin(), visitor.shares.end()));
+    // most of it is told before the end
+    CHECK(std::count_if(visitor.shares.begin(), visitor.shares.end(), [](double x) { return 0.1 < x && x < 0.9; }) > 5);
+    visitor.shares.clear();
+    options.mode = Cut_mode::SHORTEST;
+    decide(surface, options);
+    CHECK(visitor.shares.empty());
+  }
+}

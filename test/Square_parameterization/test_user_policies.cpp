@@ -200,11 +200,21 @@ TEST_CASE("the visitor of the border is told of the search and, after it, of the
   const auto check_told = [&mesh](auto parameterizer_of) {
     struct In_order : Recording_visitor
     {
+      void start_minimization() override
+      {
+        CHECK(evaluations == 28);
+        CHECK(searches.empty());
+        ++started;
+      }
+
       void end_minimization(const Minimization_report& report) override
       {
+        CHECK(started == 1);
         CHECK(searches.size() == 1);
         Recording_visitor::end_minimization(report);
       }
+
+      int started = 0;
     } visitor;
     Square_search_options options;
     options.visitor = &visitor;

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CUT_OPTIONS_H
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/Search_visitor.h>
 
 #include <chrono>
 #include <limits>
@@ -65,6 +66,8 @@ struct Seam_options : Cut_options
   /// `BEST`: when it has passed, no more cuts are compared, and the best so far is taken; or any cut, when the surface
   /// could not even be simplified until then
   std::optional<std::chrono::steady_clock::time_point> deadline;
+
+  Search_visitor* visitor = nullptr; ///< `BEST`: is told how the comparison of cuts proceeds; may be null
 
   /// indicates whether all numbers are in their range
   bool is_valid() const { return Cut_options::is_valid() && balance >= 0 && balance <= 1; }

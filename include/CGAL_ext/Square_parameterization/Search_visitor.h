@@ -13,7 +13,7 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationResults
 ///
-/// is told how a search and a minimization proceed. Derive from it and override what you need; all functions do nothing
+/// is told how the choice of a cut, a search and a minimization proceed. Derive from it and override what you need; all functions do nothing
 /// by default. It is given in `Square_search_options`, and only watches: to stop a search is for
 /// `Square_search_options::callback`.
 ///
@@ -26,14 +26,23 @@ class Search_visitor
 public:
   virtual ~Search_visitor() = default;
 
-  /// called before the first evaluation, once, and again for each other start (see `Map_start`) that is tried, with the number of candidates: an upper bound of the evaluations
+  /// called while cuts are compared, before everything else, with the share of that work that is done: an estimate, 0
+  /// first, never less than before, 1 last. Not called where there is nothing to compare.
+  virtual void cut_progress(double /* share */) {}
+
+  /// called before the first evaluation, once, and again for each other start (see `Map_start`) that is tried, with the
+  /// number of candidates: an upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 
   /// called after each evaluation, in the order in which they finish, which differs from run to run with several
   /// threads
   virtual void after_evaluation(const Search_report::Sample& /* sample */) {}
 
-  /// called after the last evaluation, as often as `start_search()`; not when a search is refused or left by an exception
+  /// called after the last evaluation, before the map of the best candidate is minimised to the end; as often as
+  /// `start_search()`, unless a search is refused or left by an exception
+  virtual void start_minimization() {}
+
+  /// called after the map of the best candidate is made, as often as `start_search()`; not when a search is refused or left by an exception
   virtual void end_search(const Search_report& /* report */) {}
 
   /// called once, after all of these, with the minimization that made the best map: the delivered one, unless another

@@ -17,7 +17,8 @@ namespace CGAL_ext {
 ///
 /// options that all searches for the corners of the square share.
 ///
-/// The callback and the visitor are called by one thread at a time, during one search; not for the choice of a cut.
+/// The callback and the visitor are called by one thread at a time, during one search; for the choice of a cut the
+/// visitor alone.
 /// Searches that run at the same time may share options without them.
 struct Square_search_options
 {
@@ -25,7 +26,7 @@ struct Square_search_options
   Walk walk = Walk::COUNTER_CLOCKWISE;            ///< direction in which candidates are counted and sides are closed
   unsigned int number_of_threads = 0; ///< 0 for all cores, or as many as have room in about 2 GB when the surface is
                                       ///< large (1 to 3 kB a vertex); the result is the same for any number
-  Search_visitor* visitor = nullptr;  ///< is told of the search and of the minimization of the map; may be null
+  Search_visitor* visitor = nullptr;  ///< is told of the cut, of the search and of the minimization; may be null
 
   /// whether after the search the four corners move on their own, all together, in pairs and alone, as long as that
   /// lowers the energy of a coarse map. A rectangle that is not the square is also sought from other shares of the sides

@@ -70,7 +70,7 @@ inline void check_options(const Given_options& given, const Command_line& line)
     if(given.has(number) && (given.all[number].as<int>() < 0 || given.all[number].as<int>() > 1000000))
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
   for(const char* option :
-      {"output", "json", "seams", "texture", "svg", "image", "normal-map", "attributes", "grid-mesh"})
+      {"output", "json", "seams", "texture", "svg", "report", "image", "normal-map", "attributes", "grid-mesh"})
     if(given.has(option))
       check_file_name(option, given.all[option].as<std::string>());
 }
@@ -116,6 +116,7 @@ inline void check_files(const Command_line& line)
 {
   check_extension("the output", line.output, {"obj", "off", "ply", "stl", "glb"});
   check_extension("the image", line.image, {"png", "exr"});
+  check_extension("the page", line.page, {"html", "htm"});
   check_extension("the normal map", line.normal_map, {"png"});
   check_extension("the picture of the attributes", line.attributes, {"png"});
   check_extension("the grid mesh", line.grid_mesh, {"obj", "off", "ply", "stl"});
@@ -125,6 +126,7 @@ inline void check_files(const Command_line& line)
                                  line.json,
                                  line.texture == "checker" ? "" : line.texture,
                                  line.svg,
+                                 line.page,
                                  line.image,
                                  line.normal_map,
                                  line.attributes,

@@ -5,6 +5,7 @@
 #define SQUARE_MAP_JOB_H
 
 #include "Command_line.h"
+#include "First_candidate.h"
 #include "Geometry_image.h"
 
 #include <chrono>
@@ -68,6 +69,7 @@ struct Job
   std::string texture;                      ///< the bytes of a PNG file, for outputs that have one
   std::optional<Flat_map> flat;             ///< the map as arrays, for outputs that are made of it
   std::optional<Geometry_image> image;      ///< the samples, for outputs that are made of them
+  std::optional<First_candidate> first;     ///< for the page
   Timings seconds;
 };
 

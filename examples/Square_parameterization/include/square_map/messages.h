@@ -7,36 +7,10 @@
 #include "Job.h"
 #include "Malformed_file.h"
 
-#include <algorithm>
 #include <iostream>
-#include <limits>
 #include <string>
 
 namespace square_map {
-
-/// a progress line on a terminal
-class Progress : public CGAL_ext::Search_visitor
-{
-public:
-  /// \param objective what the search minimises, in words
-  explicit Progress(std::string objective) : m_objective(std::move(objective)) {}
-
-  void start_search(std::size_t candidates) override { m_candidates = candidates; }
-
-  void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
-  {
-    m_best = (std::min)(m_best, sample.objective);
-    std::cerr << "\r" << ++m_evaluations << " of at most " << m_candidates << " candidates, least " << m_objective
-              << ' ' << m_best << "   " << std::flush;
-  }
-
-  void end_search(const CGAL_ext::Search_report&) override { std::cerr << '\n'; }
-
-private:
-  std::string m_objective;
-  std::size_t m_candidates = 0, m_evaluations = 0;
-  double m_best = std::numeric_limits<double>::infinity();
-};
 
 /// tells what of the file was not used
 inline void tell_passed_over(const Passed_over& passed_over)

@@ -24,7 +24,7 @@ struct Command_line
 {
   bool wants_help = false, wants_version = false;
   std::string help;
-  std::string input, input_format, output, json, seams, texture, svg, image, normal_map, attributes, grid_mesh;
+  std::string input, input_format, output, json, seams, texture, svg, page, image, normal_map, attributes, grid_mesh;
   std::optional<CGAL_ext::Grid_size> resolution; // none: the default, which the surface tells
   std::string strategy, minimizer = "optimal";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
@@ -72,6 +72,8 @@ inline boost::program_options::options_description option_list(Given_options& gi
       "samples of the image, the normal map, the attributes and the grid mesh; by default four a vertex");
   add("svg", po::value(&line.svg)->value_name("FILE"),
       "picture of the map: faces in the colors of their stretch, corners, seams and the curve of the candidates");
+  add("report", po::value(&line.page)->value_name("FILE"),
+      "a page that shows the map beside the surface, in any browser: .html; the first candidate is mapped once more");
   add("input-format", po::value(&line.input_format)->value_name("NAME"),
       "off, obj, ply or stl; by default the extension of INPUT tells, or the content of a pipe");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),

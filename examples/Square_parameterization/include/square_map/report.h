@@ -25,12 +25,12 @@ inline nlohmann::ordered_json number(double x)
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
 
-/// the corners as vertices of the file, as `--corners` takes them: copies count as their original; null for a vertex
-/// that was added
-inline nlohmann::ordered_json input_corners(const Job& job)
+/// corners as vertices of the file, as `--corners` takes them: copies count as their original; null for a vertex that
+/// was added
+inline nlohmann::ordered_json input_corners(const std::vector<Mesh::Vertex_index>& mesh_corners, const Job& job)
 {
   nlohmann::ordered_json corners = nlohmann::ordered_json::array();
-  for(Mesh::Vertex_index corner : job.result.corners) {
+  for(Mesh::Vertex_index corner : mesh_corners) {
     const std::vector<std::size_t>& kept = job.conditioning.new_index;
     const std::vector<int>& originals = job.originals;
     const auto found = corner.idx() < originals.size()
@@ -89,7 +89,7 @@ inline nlohmann::ordered_json best_map_report(const Job& job)
     corners.push_back(v.idx());
   return {{"candidate", *result.search.best_candidate},
           {"corners", corners}, // of the cut mesh
-          {"input_corners", input_corners(job)},
+          {"input_corners", input_corners(result.corners, job)},
           {"l2", result.measures.l2},
           {"linf", result.measures.linf},
           {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
@@ -152,8 +152,8 @@ inline nlohmann::ordered_json image_report(const Geometry_image& image, const Fl
           {"genus", topology.is_manifold ? nlohmann::ordered_json(topology.genus) : nlohmann::ordered_json(nullptr)}};
 }
 
-/// the report of a run that made a map
-inline nlohmann::ordered_json make_report(const Job& job)
+/// what the run found out, but for what depends on the machine: time and threads
+inline nlohmann::ordered_json map_report(const Job& job)
 {
   const CGAL_ext::Search_report& search = job.result.search;
   nlohmann::ordered_json json;
@@ -171,13 +171,20 @@ inline nlohmann::ordered_json make_report(const Job& job)
   json["sketches"] = search.sketches;
   json["corner_moves"] = search.corner_moves;
   json["best"] = best_map_report(job);
-  if(job.image)
-    json["image"] = image_report(*job.image, *job.flat,
-                                 static_cast<unsigned int>(job.line.options.search_options.number_of_threads));
   json["curve"] = nlohmann::ordered_json::array();
   for(const auto& sample : search.curve)
     json["curve"].push_back(
         {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.objective)}});
+  return json;
+}
+
+/// the report of a run that made a map
+inline nlohmann::ordered_json make_report(const Job& job)
+{
+  nlohmann::ordered_json json = map_report(job);
+  if(job.image)
+    json["image"] = image_report(*job.image, *job.flat,
+                                 static_cast<unsigned int>(job.line.options.search_options.number_of_threads));
   json["threads"] = CGAL_ext::internal::number_of_search_threads(job.line.options.search_options.number_of_threads,
                                                                  static_cast<int>(job.mesh.number_of_vertices()));
   json["seconds"] = timing_report(job.seconds);

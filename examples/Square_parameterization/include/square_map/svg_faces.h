@@ -7,9 +7,7 @@
 #include "Flat_map.h"
 #include "Geometry_image.h"
 #include "Stretch_colors.h"
-
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
+#include "base64.h"
 
 #include <cmath>
 #include <ostream>
@@ -67,16 +65,6 @@ inline void write_faces_as_paths(std::ostream& stream, const Flat_map& map, cons
       stream << "<path fill='" << color << "' stroke='" << color << "' d='" << paths[level] << "'/>\n";
     }
   stream << "</g>\n";
-}
-
-/// bytes in the letters that text may hold
-inline std::string base64(const std::string& bytes)
-{
-  using namespace boost::archive::iterators;
-  typedef base64_from_binary<transform_width<std::string::const_iterator, 6, 8>> Letters;
-  std::string text(Letters(bytes.begin()), Letters(bytes.end()));
-  text.append((3 - bytes.size() % 3) % 3, '=');
-  return text;
 }
 
 /// the faces as a picture, two pixels for each unit

@@ -4,27 +4,15 @@
 #ifndef SQUARE_MAP_SVG_SEAMS_H
 #define SQUARE_MAP_SVG_SEAMS_H
 
+#include "Seamed_border.h"
 #include "report.h"
 #include "svg_faces.h"
-
-#include <CGAL_ext/Square_parameterization/internal/sampling/Border_segments.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/make_disk_patch.h>
 
 #include <array>
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace square_map {
-
-/// the color of the `k`-th seam
-inline Color seam_color(std::size_t k)
-{
-  // Okabe and Ito's, which color-blind readers tell apart, without yellow and black
-  static const Color colors[] = {{213, 94, 0},    {0, 114, 178}, {0, 158, 115},
-                                 {204, 121, 167}, {230, 159, 0}, {86, 180, 233}};
-  return colors[k % std::size(colors)];
-}
 
 /// the name of the `k`-th seam: A to Z, then A1 and so on
 inline std::string seam_name(std::size_t k)
@@ -51,40 +39,21 @@ inline void write_strip(std::ostream& stream, const std::array<double, 2>& from,
 /// both sides of each seam in one color; a seam ends where others meet it, at the border, and at corners of the square
 inline void write_seams(std::ostream& stream, const Flat_map& map, const Job& job, const Svg_square& square)
 {
-  using namespace CGAL_ext::internal;
   stream << "<rect fill='none' stroke='#222' x='" << square.left << "' y='" << square.top << "' width='" << square.size
          << "' height='" << square.size << "'/>\n";
-  Surface_arrays arrays;
-  arrays.points = map.points;
-  arrays.triangles = map.triangles;
-  const int first = static_cast<int>(job.result.corners[0].idx());
-  const std::vector<int> border = border_from(first, arrays, number_edges(map.points.size(), map.triangles));
-  std::vector<int> originals;
-  Corners corners{};
-  for(std::size_t k = 0; k < border.size(); ++k) {
-    originals.push_back(map.originals[border[k]]);
-    for(int c = 0; c < 4; ++c)
-      if(static_cast<int>(job.result.corners[c].idx()) == border[k])
-        corners[c] = static_cast<int>(k);
-  }
+  const Seamed_border border(map, job);
   const auto place = [&](int position) {
-    const int v = border[position % border.size()];
+    const int v = border.vertex(position);
     return std::array<double, 2>{map.uv(v, 0), map.uv(v, 1)};
   };
-  const auto segments = border_segments(partner_edges(originals), corners);
-  std::size_t seam = 0;
-  for(std::size_t s = 0; s < segments.size(); ++s)
-    if(segments[s].partner > static_cast<int>(s)) {
-      for(const Border_segment& side : {segments[s], segments[segments[s].partner]})
-        write_strip(stream, place(side.first), place(side.first + side.edges), side.side, seam, square);
-      ++seam;
-    }
+  for(const auto& [segment, seam] : border.seam_sides())
+    write_strip(stream, place(segment.first), place(segment.first + segment.edges), segment.side, seam, square);
 }
 
 /// the corners, with their vertices in the file
 inline void write_corners(std::ostream& stream, const Flat_map& map, const Job& job, const Svg_square& square)
 {
-  const nlohmann::ordered_json names = input_corners(job);
+  const nlohmann::ordered_json names = input_corners(job.result.corners, job);
   for(int c = 0; c < 4; ++c) {
     const auto v = job.result.corners[c].idx();
     const bool is_left = map.uv(v, 0) < 0.5, is_low = map.uv(v, 1) < 0.5;

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_progress.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
@@ -76,12 +77,13 @@ class Cut_pool
 public:
   /// \param max_cut_length in units of sqrt(area)
   Cut_pool(const Triangle_surface& surface, const Cut_score_options& scoring, double max_cut_length, Thread_team& team,
-           const Deadline& deadline)
+           const Deadline& deadline, Cut_progress& progress)
     : m_surface(surface),
       m_scoring(scoring),
       m_greatest_length(max_cut_length * std::sqrt(surface.area)),
       m_team(team),
-      m_deadline(deadline)
+      m_deadline(deadline),
+      m_progress(progress)
   {}
 
   const Triangle_surface& surface() const { return m_surface; }
@@ -110,8 +112,10 @@ public:
       if(first + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
         m_known[first + i].score = score_cut(m_surface, m_known[first + i].cut, m_scoring);
     });
+    const long mapped_before = m_vertices_mapped;
     for(std::size_t i = first; i < m_known.size(); ++i)
       m_vertices_mapped += m_known[i].score.vertices;
+    m_progress.advance(double(m_vertices_mapped - mapped_before));
     for(std::size_t i = 0; i < cuts.size(); ++i)
       cuts[i].score = m_known[places[i]].score;
     return cuts;
@@ -170,6 +174,7 @@ private:
   double m_greatest_length;
   Thread_team& m_team;
   const Deadline& m_deadline;
+  Cut_progress& m_progress;
   std::vector<Scored_cut> m_known;                    // in the order in which they came
   std::map<std::vector<int>, std::size_t> m_place_of; // there, per edges of a cut
   long m_vertices_mapped = 0;

@@ -24,6 +24,13 @@ public:
     : m_pool(pool), m_surface(pool.surface()), m_numbers(pool.numbers()), m_report(report)
   {}
 
+  /// what all scores may cost, in vertices mapped; growth may end earlier
+  long most_work() const
+  {
+    return (std::min)(m_numbers.growth_work_per_vertex * m_surface.number_of_vertices(),
+                      has_many_loops(m_surface, m_numbers) ? m_numbers.little_growth_work : m_numbers.growth_work);
+  }
+
   /// the best cut met on the way from the best of \p starts to long cuts, and back
   Cut grow(const std::vector<Cut>& starts)
   {
@@ -45,11 +52,8 @@ private:
   /// indicates whether another terminal, with all of its candidates, would be too much work, in vertices to map
   bool is_exhausted() const
   {
-    const long limit =
-        (std::min)(m_numbers.growth_work_per_vertex * m_surface.number_of_vertices(),
-                   has_many_loops(m_surface, m_numbers) ? m_numbers.little_growth_work : m_numbers.growth_work);
     const long next_terminal = 2 * m_numbers.candidates * m_pool.vertices_per_score();
-    return m_pool.is_exhausted(limit - next_terminal + 1); // with it, beyond the limit
+    return m_pool.is_exhausted(most_work() - next_terminal + 1); // with it, beyond the limit
   }
 
   /// the best of the cuts (ties: the first)

@@ -57,6 +57,7 @@ inline Seam_options seam_options(const Square_map_settings& settings)
   Seam_options options(settings.cut);
   options.number_of_threads = settings.search_options.number_of_threads;
   options.deadline = half_way_to(settings.search_options.deadline);
+  options.visitor = settings.search_options.visitor;
   if(const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization))
     options.balance = balanced->balance;
   return options;

@@ -74,6 +74,8 @@ public:
     if(m_options.moves_corners && m_minimizer.has_rough_maps() && outcome.report.best_candidate &&
        !outcome.report.is_cancelled)
       move_corners(outcome);
+    if(m_options.visitor != nullptr)
+      m_options.visitor->start_minimization();
     outcome.map = m_minimizer.finish(std::move(outcome.map));
     complete(outcome);
     if(m_options.visitor != nullptr)

@@ -4,6 +4,7 @@
 #include "mapped_patches.h"
 #include "test_meshes.h"
 
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>

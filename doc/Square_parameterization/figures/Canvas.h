@@ -77,8 +77,9 @@ public:
 
   void draw_disk(const Place& center, double radius, const Color& color)
   {
-    draw_line(center, center, 2 * radius + 3, {255, 255, 255});
-    draw_line(center, center, 2 * radius, color);
+    const Place front = center + Place(0, 0, 0.05); // of a surface that turns away there
+    draw_line(front, front, 2 * radius + 3, {255, 255, 255});
+    draw_line(front, front, 2 * radius, color);
   }
 
   /// the picture in its size

@@ -84,6 +84,7 @@ void draw_corner_rules(const Folders& folders)
   Style style;
   style.has_edges = true;
   style.has_checkerboard = false;
+  style.size = 230;
   for(const auto rule : {CGAL_ext::Corner_rule::NEAREST, CGAL_ext::Corner_rule::AUTHOR}) {
     Options options;
     options.search = CGAL_ext::First_candidate_corner_search();

@@ -283,7 +283,26 @@ def exponents_in_manual():
             for mesh, cell in zip(DEFAULTS_MESHES, row[1:])}
 
 
+SPLINE_COLUMNS = ['mean value', 'iterative authalic', 'parameterize_onto_square()']
+
+
+def splines(run):
+    figures = {}
+    for mesh in dict.fromkeys(row[0] for row in read_table(README, '| Mesh | Control points')):
+        lines = run('spline-' + mesh, [run.bin / 'fit_bspline_surface', *run.files([mesh])]).splitlines()
+        for size, *errors in (line.split() for line in lines[2:]):
+            size = size.removesuffix('^2')
+            figures.update({(mesh, size, column): float(x) for column, x in zip(SPLINE_COLUMNS, errors)})
+    return figures
+
+
+def splines_in_readme():
+    return {(row[0], row[1].split()[0], column): cell for row in read_table(README, '| Mesh | Control points')
+            for column, cell in zip(SPLINE_COLUMNS, row[2:])}
+
+
 TABLES = {
+    'splines': (splines, splines_in_readme),
     'strategies': (strategies, strategies_in_readme),
     'methods': (methods, methods_in_readme),
     'closed-surfaces': (closed_surfaces, closed_surfaces_in_readme),

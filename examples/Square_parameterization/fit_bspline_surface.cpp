@@ -1,8 +1,8 @@
 // examples/Square_parameterization/fit_bspline_surface.cpp
 //
-// What a map with little stretch is good for: a bicubic B-spline surface is fitted to points that lie evenly on the mesh,
-// each at its place on the square, by least squares. The same points are fitted with two maps of CGAL, on its square
-// border, and with that of this package: the fewer control points a map wastes, the closer the surface comes.
+// What a map with little stretch is good for: a bicubic B-spline surface is fitted to points that lie evenly on the
+// mesh, each at its place on the square, by least squares. The same points are fitted with two maps of CGAL, on its
+// square border, and with that of this package: the fewer control points a map wastes, the closer the surface comes.
 
 #include "include/Bspline_surface.h"
 

@@ -56,8 +56,8 @@ public:
   /// the vertex of the map at a position of the border loop; positions go round
   int vertex(int position) const { return m_vertices[static_cast<std::size_t>(position) % m_vertices.size()]; }
 
-  /// both sides of each seam, one after the other, with the number of the seam. A seam ends where others meet it, at the
-  /// border of the uncut surface, and at corners of the square.
+  /// both sides of each seam, one after the other, with the number of the seam. A seam ends where others meet it, at
+  /// the border of the uncut surface, and at corners of the square.
   std::vector<std::pair<Border_segment, std::size_t>> seam_sides() const
   {
     std::vector<std::pair<Border_segment, std::size_t>> sides;

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FIGURES_DRAW_MAP_H
+#define FIGURES_DRAW_MAP_H
+
+#include "Canvas.h"
+
+#include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/vertex_normals.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
+#include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace figures {
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL_ext::Square_map_options<Mesh> Options;
+typedef square_map::Picture<std::uint8_t> Picture;
+
+/// a mapped surface, cut open, as arrays
+struct Map
+{
+  std::vector<Eigen::Vector3d> points, normals;
+  std::vector<std::array<int, 3>> triangles;
+  CGAL_ext::internal::Uv_coordinates uv;
+  std::vector<std::array<int, 2>> border; ///< edges of one face
+  CGAL_ext::Square_map_result<Mesh> result;
+};
+
+inline Mesh read(const std::string& file)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh))
+    throw std::runtime_error("cannot read " + file);
+  return mesh;
+}
+
+/// the edges that only one of the triangles has
+inline std::vector<std::array<int, 2>> border_edges(const std::vector<std::array<int, 3>>& triangles)
+{
+  std::map<std::pair<int, int>, int> faces;
+  for(const auto& t : triangles)
+    for(int k = 0; k < 3; ++k)
+      ++faces[std::minmax(t[k], t[(k + 1) % 3])];
+  std::vector<std::array<int, 2>> border;
+  for(const auto& [edge, count] : faces)
+    if(count == 1)
+      border.push_back({edge.first, edge.second});
+  return border;
+}
+
+inline Map make_map(Mesh mesh, const Options& options = {})
+{
+  using namespace CGAL_ext::internal;
+  auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  Map map;
+  map.result = CGAL_ext::parameterize_onto_square(mesh, uvmap, CGAL_ext::parameters::options(options));
+  if(map.result.status != CGAL::Surface_mesh_parameterization::OK)
+    throw std::runtime_error(map.result.message);
+  auto [arrays, vertices] = read_faces(mesh, mesh.faces(), mesh.points());
+  map.points = std::move(arrays.points);
+  map.triangles = std::move(arrays.triangles);
+  map.uv = read_uv(vertices, uvmap);
+  std::map<std::array<double, 3>, int> first_of_place; // the copies of a vertex have one normal
+  std::vector<int> originals;
+  for(std::size_t v = 0; v < map.points.size(); ++v) {
+    const Eigen::Vector3d& p = map.points[v];
+    originals.push_back(
+        first_of_place.emplace(std::array<double, 3>{p.x(), p.y(), p.z()}, static_cast<int>(v)).first->second);
+  }
+  map.normals = vertex_normals(map.points, map.triangles, originals);
+  map.border = border_edges(map.triangles);
+  return map;
+}
+
+/// evaluates one candidate alone
+struct Only_candidate
+{
+  int candidate;
+  bool is_valid() const { return candidate >= 0; }
+  CGAL_ext::Candidate_set candidate_set() const { return CGAL_ext::Candidate_set::QUARTER; }
+  void operator()(const CGAL_ext::Corner_search_problem& problem) const { problem.objective_of({candidate}); }
+};
+
+inline Eigen::Vector3d checkerboard_at(double u, double v)
+{
+  constexpr int SQUARES = 24;
+  const bool is_light =
+      (static_cast<int>(std::floor(u * SQUARES)) + static_cast<int>(std::floor(v * SQUARES))) % 2 == 0;
+  return is_light ? Eigen::Vector3d(240, 240, 235) : Eigen::Vector3d(60, 90, 140);
+}
+
+inline const std::array<Color, 4> CORNER_COLORS{Color{213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}};
+
+/// how a picture is drawn
+struct Style
+{
+  bool has_edges = false, has_checkerboard = true, has_corners = true;
+  Eigen::Vector3d front = {0, 0, 0}; ///< towards the one who looks; zero: as the mean normal
+  Eigen::Vector3d up = {0, 1, 0};
+  int size = 330;
+};
+
+/// draws triangles at their places, in the checkerboard of their map or one color, with or without their edges
+inline Picture draw(const Map& map, const std::vector<Place>& places, const std::vector<double>& light,
+                    const Style& style)
+{
+  Canvas canvas(style.size, style.size);
+  for(const auto& t : map.triangles)
+    canvas.draw_triangle({places[t[0]], places[t[1]], places[t[2]]}, [&](const auto& w, double distance) {
+      double u = 0, v = 0, brightness = 0;
+      for(int k = 0; k < 3; ++k) {
+        u += w[k] * map.uv(t[k], 0);
+        v += w[k] * map.uv(t[k], 1);
+        brightness += w[k] * light[t[k]];
+      }
+      const Eigen::Vector3d color = style.has_checkerboard ? checkerboard_at(u, v) : Eigen::Vector3d(205, 215, 228);
+      return Eigen::Vector3d(brightness * (style.has_edges && distance < 0.45 ? 0.35 : 1.) * color);
+    });
+  for(const auto& [a, b] : map.border)
+    canvas.draw_line(places[a], places[b], 2.5, {30, 30, 30});
+  if(style.has_corners)
+    for(int k = 0; k < 4; ++k)
+      canvas.draw_disk(places[map.result.corners[k].idx()], 5, CORNER_COLORS[k]);
+  return canvas.picture();
+}
+
+/// the surface from the front
+inline Picture draw_surface(const Map& map, const Style& style = {})
+{
+  Eigen::Vector3d front = style.front, center = Eigen::Vector3d::Zero();
+  if(front.isZero(0))
+    for(const Eigen::Vector3d& n : map.normals)
+      front += n;
+  Eigen::AlignedBox3d box;
+  for(const Eigen::Vector3d& p : map.points)
+    box.extend(p);
+  center = box.center();
+  Eigen::Matrix3d view;
+  view.row(2) = front.normalized();
+  view.row(0) = style.up.cross(front).normalized();
+  view.row(1) = view.row(2).cross(view.row(0));
+  double extent = 0;
+  for(const Eigen::Vector3d& p : map.points)
+    extent = (std::max)(extent, (view * (p - center)).head<2>().cwiseAbs().maxCoeff());
+  std::vector<Place> places;
+  std::vector<double> light;
+  for(std::size_t v = 0; v < map.points.size(); ++v) {
+    places.push_back(view * (map.points[v] - center) * (0.46 / extent) + Eigen::Vector3d::Constant(0.5));
+    light.push_back(0.35 + 0.65 * std::abs(view.row(2).dot(map.normals[v])));
+  }
+  return draw(map, places, light, style);
+}
+
+/// the map on the square
+inline Picture draw_square(const Map& map, const Style& style = {})
+{
+  std::vector<Place> places;
+  for(Eigen::Index v = 0; v < map.uv.rows(); ++v)
+    places.emplace_back(0.04 + 0.92 * map.uv(v, 0), 0.04 + 0.92 * map.uv(v, 1), 0.5);
+  return draw(map, places, std::vector<double>(map.points.size(), 1.), style);
+}
+
+} // namespace figures
+
+#endif // FIGURES_DRAW_MAP_H

@@ -28,6 +28,7 @@ inline First_candidate map_first_candidate(const Job& job)
   UV_map uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:first_uv").first;
   CGAL_ext::Square_map_options<Mesh> options = job.line.options;
   options.search = CGAL_ext::First_candidate_corner_search();
+  options.search_options.moves_corners = false;
   options.cut.mode = CGAL_ext::Cut_mode::NONE;
   options.seams.clear();
   options.seam_grid.reset();

@@ -110,18 +110,31 @@ Vertex_colors flat_colors(const Job& job)
   return completed_colors(std::move(colors), job.flat->points, job.flat->triangles);
 }
 
+/// the grid of the image: by default it has the proportions of the rectangle
+CGAL_ext::Grid_size grid_of_samples(const Job& job)
+{
+  if(job.line.resolution)
+    return *job.line.resolution;
+  return job.result.seam_grid ? *job.result.seam_grid
+                              : default_resolution(job.uncut_vertices).fitted_to(job.result.aspect);
+}
+
 /// makes what the outputs are made of: the map as arrays, the samples, and the map of the first candidate
-void sample_map(Job& job)
+void sample_map(Job& job, Progress& progress)
 {
   const Command_line& line = job.line;
   if(makes_image(line) || !line.svg.empty() || !line.page.empty() || output_extension(line.output) == "glb")
     job.flat = flat_map(job.mesh, job.uv, job.originals);
   if(!line.attributes.empty())
     job.flat->colors = flat_colors(job);
-  if(makes_image(line))
-    job.image = make_geometry_image(*job.flat, *line.resolution, job.result.seam_samples);
-  if(!line.page.empty())
+  if(makes_image(line)) {
+    progress.start("sampling");
+    job.image = make_geometry_image(*job.flat, grid_of_samples(job), job.result.seam_samples);
+  }
+  if(!line.page.empty()) {
+    progress.start("mapping the first candidate");
     job.first = map_first_candidate(job);
+  }
 }
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
@@ -162,9 +175,8 @@ void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
     line.options.corners = mesh_vertices(*line.corners, job.conditioning);
   job.uncut_vertices = job.mesh.number_of_vertices();
   if(makes_image(line)) {
-    if(!line.resolution)
-      line.resolution = default_resolution(job.uncut_vertices);
-    line.options.seam_grid = line.resolution;
+    line.options.seam_grid = line.resolution ? *line.resolution : default_resolution(job.uncut_vertices);
+    line.options.fits_seam_grid = !line.resolution;
   }
   job.uv = job.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
 }
@@ -243,9 +255,7 @@ Exit_status run(Command_line command_line)
               << '\n';
     return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
-  if(!job.line.page.empty() || makes_image(job.line))
-    progress.start("sampling");
-  sample_map(job);
+  sample_map(job, progress);
   job.seconds.sample = watch.lap();
   job.seconds.total = watch.total(); // before the outputs are written
   progress.start("writing");
@@ -258,7 +268,7 @@ Exit_status run(Command_line command_line)
     if(has_reached_time_limit(job))
       std::cerr << "the time limit was reached: this is the best map so far\n";
     tell_map(result, job.seconds.total);
-    tell_open_seams(job);
+    tell_open_seams(result);
   }
   return DONE;
 }

@@ -96,11 +96,11 @@ TEST_CASE("a page holds the best map and that of the first candidate")
     const Page page = make_page(soup);
     CAPTURE(page.data["report"].dump(1));
     // 32 bits tell seven digits of a place, and fewer of what is computed from it
-    const Measures best = measure(page.map("uv"));
+    const Measures best = measure(page.map("places"));
     CHECK(best.flipped == 0);
     CHECK(page.data["report"]["best"]["l2"].get<double>() == Approx(double(best.l2)).epsilon(1e-4));
     REQUIRE(page.data["first"].is_object());
-    const Measures first = measure(page.map("uv_first"));
+    const Measures first = measure(page.map("places_first"));
     CHECK(first.flipped == 0);
     CHECK(page.data["first"]["l2"].get<double>() == Approx(double(first.l2)).epsilon(1e-4));
     // it is the candidate that the search knows, minimised to the end
@@ -108,8 +108,8 @@ TEST_CASE("a page holds the best map and that of the first candidate")
     REQUIRE(sample["candidate"] == 0);
     CHECK(page.data["first"]["l2"].get<double>() == Approx(sample["l2"].get<double>()).epsilon(0.01));
     CHECK(page.data["first"]["input_corners"] != page.data["report"]["best"]["input_corners"]);
-    CHECK(page.array<float>("stretch").size() == page.map("uv").faces.size());
-    CHECK(page.array<float>("stretch_first").size() == page.map("uv").faces.size());
+    CHECK(page.array<float>("stretch").size() == page.map("places").faces.size());
+    CHECK(page.array<float>("stretch_first").size() == page.map("places").faces.size());
   }
 }
 

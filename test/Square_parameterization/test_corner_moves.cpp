@@ -29,7 +29,7 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
     if(!is_square)
       minimization.aspect.reset();
     const auto minimizer = make_minimizer(patch, minimization);
-    Corner_evaluation all([&] { return minimizer->make_worker(); }, patch, 0, [] { return true; });
+    Corner_evaluation all([&] { return minimizer->make_worker(); }, patch, 0, nullptr, [] { return true; });
     std::vector<Corners> choices;
     for(int a = 0; a < 20; ++a)
       for(int b = a + 1; b < 20; ++b)
@@ -68,10 +68,20 @@ TEST_CASE("corners that move are never worse than those of the quarters, and do 
   for(unsigned int seed : {1u, 2u}) {
     const Patch patch = make_patch_of(noisy_height_field(12, seed));
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    struct Move_counter : Search_visitor
+    {
+      void after_corner_move() override { ++moves; }
+      void start_minimization() override { moves_before_end = moves; }
+      std::size_t moves = 0, moves_before_end = 0;
+    } visitor;
     Square_search_options options;
     options.number_of_threads = 1;
+    options.visitor = &visitor;
     options.moves_corners = true;
     const Search_outcome moved = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
+    CHECK(visitor.moves >= moved.report.corner_moves); // the best are mapped in full as well
+    CHECK(visitor.moves == visitor.moves_before_end);
+    options.visitor = nullptr;
     options.number_of_threads = 3;
     CHECK(search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.uv == moved.map.uv);
     CHECK(moved.report.corner_moves > 0);

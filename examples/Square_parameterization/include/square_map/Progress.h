@@ -59,7 +59,7 @@ public:
 
   void start_search(std::size_t candidates) override
   {
-    m_evaluations = 0;
+    m_evaluations = m_sketches = m_corner_moves = 0;
     m_most_evaluations = most_evaluations(candidates);
     start("searching");
   }
@@ -72,7 +72,20 @@ public:
     std::snprintf(best, sizeof best, "%.6g", m_best);
     show(std::to_string(m_evaluations) + " of at most " + std::to_string(m_most_evaluations) + " candidates, least " +
          (m_line.minimizer == "optimal" ? "energy " : "stretch ") + best +
-         time_left("at most", double(m_evaluations) / double(m_most_evaluations)));
+         time_left("at most about", double(m_evaluations) / double(m_most_evaluations)));
+  }
+
+  void after_sketch(const CGAL_ext::Search_report::Sample& /* sample */) override
+  {
+    show(counted(++m_sketches, "candidate sketched", "candidates sketched")); // how many will be is not known
+    m_start = Clock::now();                                                   // of what time is estimated for
+  }
+
+  void after_corner_move() override
+  {
+    if(m_corner_moves++ == 0)
+      start("moving corners");
+    show(counted(m_corner_moves, "choice compared", "choices compared"));
   }
 
   void start_minimization() override { start("mapping"); }
@@ -122,7 +135,7 @@ private:
   std::string m_phase;
   Clock::time_point m_start;
   std::size_t m_width = 0; ///< of the line that is shown
-  std::size_t m_evaluations = 0, m_most_evaluations = 0;
+  std::size_t m_evaluations = 0, m_most_evaluations = 0, m_sketches = 0, m_corner_moves = 0;
   double m_best = std::numeric_limits<double>::infinity();
 };
 

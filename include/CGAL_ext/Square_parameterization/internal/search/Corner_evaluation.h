@@ -24,12 +24,14 @@ namespace internal {
 class Corner_evaluation
 {
 public:
+  /// \param visitor told of each map, by one thread at a time; may be null
   /// \param may_continue asked before each map, by one thread at a time; `false` stops
   Corner_evaluation(std::function<Map_minimizer::Worker()> make_worker, const Patch& patch,
-                    unsigned int number_of_threads, std::function<bool()> may_continue)
+                    unsigned int number_of_threads, Search_visitor* visitor, std::function<bool()> may_continue)
     : m_make_worker(std::move(make_worker)),
       m_loop(patch.border_lengths, Walk::COUNTER_CLOCKWISE),
       m_team(number_of_threads, MOST_TASKS),
+      m_visitor(visitor),
       m_may_continue(std::move(may_continue))
   {}
 
@@ -74,6 +76,8 @@ private:
     Minimized_map map = worker(square_border(m_loop, corners).uv, nullptr);
     const std::lock_guard<std::mutex> lock(m_mutex);
     m_idle_workers.push_back(std::move(worker));
+    if(m_visitor != nullptr)
+      m_visitor->after_corner_move();
     return map;
   }
 
@@ -93,8 +97,9 @@ private:
   std::function<Map_minimizer::Worker()> m_make_worker;
   const Border_walk m_loop;
   Thread_team m_team;
+  Search_visitor* m_visitor;
   std::function<bool()> m_may_continue;
-  std::mutex m_mutex; // of the callback and of the workers
+  std::mutex m_mutex; // of the callback, the visitor and the workers
   std::vector<Map_minimizer::Worker> m_idle_workers;
   bool m_is_cancelled = false;
   Minimized_map m_best_map;

@@ -54,10 +54,11 @@ public:
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
           options.visitor, [this](double share) { return may_continue(share, m_options.deadline); })
   {
+    m_sketch_visitor.visitor = options.visitor;
     if(minimizer.has_sketches())
       m_sketches.emplace(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
-          nullptr, [this](double) { return may_continue(0, m_sketch_deadline); });
+          &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 
   Search_outcome operator()()
@@ -84,6 +85,18 @@ public:
   }
 
 private:
+  /// tells of sketches what others tell of evaluations
+  struct Sketch_visitor : Search_visitor
+  {
+    void after_evaluation(const Search_report::Sample& sample) override
+    {
+      if(visitor != nullptr)
+        visitor->after_sketch(sample);
+    }
+
+    Search_visitor* visitor = nullptr;
+  };
+
   bool may_continue(double share, const Deadline& deadline) const
   {
     return !has_passed(deadline) && (!m_options.callback || m_options.callback(share));
@@ -107,8 +120,10 @@ private:
   void move_corners(Search_outcome& outcome)
   {
     const int first_step = static_cast<int>(m_patch.border.size()) / 8;
-    Corner_evaluation rough_maps([this] { return m_minimizer.make_rough_worker(); }, m_patch, m_threads, may_go_on());
-    Corner_evaluation maps([this] { return m_minimizer.make_worker(); }, m_patch, m_threads, may_go_on());
+    Corner_evaluation rough_maps([this] { return m_minimizer.make_rough_worker(); }, m_patch, m_threads,
+                                 m_options.visitor, may_go_on());
+    Corner_evaluation maps([this] { return m_minimizer.make_worker(); }, m_patch, m_threads, m_options.visitor,
+                           may_go_on());
     Corner_moves moves(m_patch.border_lengths, [&](const auto& choices) { return rough_maps(choices); });
     try {
       std::vector<Corners> starts{outcome.report.corners};
@@ -125,6 +140,7 @@ private:
     }
     if(maps.best_map().report.objective < outcome.map.report.objective) {
       outcome.report.corners = maps.best_corners();
+      outcome.report.has_moved_corners = true;
       outcome.map = maps.best_map();
     }
     outcome.report.corner_moves = moves.evaluations();
@@ -187,11 +203,12 @@ private:
   const Map_minimizer& m_minimizer;
   const Corner_search& m_search;
   const Square_search_options& m_options;
-  const Deadline m_sketch_deadline = half_way_to(m_options.deadline);
+  const Deadline m_sketch_deadline = part_way_to(m_options.deadline, 0.5);
   const Border_walk m_walk;
   const int m_number_of_candidates;
   const unsigned int m_threads;
   Candidate_evaluation m_evaluation;
+  Sketch_visitor m_sketch_visitor;
   std::optional<Candidate_evaluation> m_sketches;
 };
 

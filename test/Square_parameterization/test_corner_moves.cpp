@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "closed_meshes.h"
 #include "mapped_patches.h"
 #include "test_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
@@ -44,6 +47,17 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
     found += energy <= 1.001 * all.best_map().report.objective;
   }
   CHECK(found >= 9);
+}
+
+TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")
+{
+  const Triangle_surface plate = surface_of(plate_with_handles(10, 10));
+  Thread_team team(1, 1);
+  const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  const auto map_for = minimizer->make_rough_worker();
+  for(const Uv_coordinates& border_uv : spread_borders(patch, 4))
+    CHECK(map_for(border_uv, nullptr).report.objective > 0);
 }
 
 TEST_CASE("a developable strip is mapped without stretch onto its rectangle")

@@ -54,7 +54,7 @@ inline void draw_rectangle(const Folders& folders)
     if(!is_square)
       balanced.aspect.reset();
     options.minimization = balanced;
-    const Map map = make_map(folders.mesh("@MESH@"), options);
+    const Map map = make_map(folders.mesh("femur.off"), options);
     pictures.push_back(draw_surface(map));
     pictures.push_back(draw_domain(map, faces_style()));
     std::printf("aspect %.3f: L2 %.3f\n", map.result.aspect, map.result.measures.l2);

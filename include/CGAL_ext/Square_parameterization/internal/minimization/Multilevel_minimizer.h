@@ -63,6 +63,7 @@ public:
     coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT}, coarse_options);
     m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
     m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
+    m_rough_level = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH); // no coarser than the first start
     coarsen({std::nullopt}, coarse_options);
   }
 
@@ -111,7 +112,7 @@ public:
   std::size_t sketch_level() const { return m_sketch_level; }
 
   /// a patch whose maps cost little; the finest of them
-  std::size_t rough_level() const { return m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH); }
+  std::size_t rough_level() const { return m_rough_level; }
 
   /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
   /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
@@ -273,6 +274,7 @@ private:
   double m_coarse_balance = 0;
   std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
   std::size_t m_sketch_level = 0; // of the patch whose maps are compared
+  std::size_t m_rough_level = 0;  // of the patch on which corners move
 };
 
 } // namespace internal

@@ -113,6 +113,41 @@ TEST_CASE("a page holds the best map and that of the first candidate")
   }
 }
 
+TEST_CASE("a page draws both maps on their rectangles")
+{
+  const Page page = make_page(sheet(12, 5), {"--aspect", "best"});
+  for(const auto& [name, report] :
+      {std::make_pair("places", page.data["report"]["best"]), std::make_pair("places_first", page.data["first"])}) {
+    CAPTURE(name);
+    const Map map = page.map(name);
+    std::array<double, 2> largest{};
+    for(const auto& [x, y] : map.uv)
+      largest = {std::max(largest[0], std::abs(double(x))), std::max(largest[1], std::abs(double(y)))};
+    CHECK(largest[0] / largest[1] == Approx(report["aspect"].get<double>()).epsilon(1e-6));
+    CHECK(4 * largest[0] * largest[1] == Approx(1).epsilon(1e-6));
+    CHECK(double(measure(map).l2) == Approx(report["l2"].get<double>()).epsilon(1e-4));
+  }
+  CHECK(page.data["report"]["best"]["aspect"] != page.data["first"]["aspect"]);
+}
+
+TEST_CASE("the first candidate is said to be the best where its corners are")
+{
+  int moved = 0;
+  for(int columns = 4; columns < 12; ++columns) {
+    CAPTURE(columns);
+    const Page page = make_page(sheet(columns, 4), {"--aspect", "best"});
+    const nlohmann::json& best = page.data["report"]["best"];
+    const bool is_first = best["candidate"] == 0 && best["has_moved_corners"] == false;
+    CHECK((page.data["no_first"] == "The first candidate is the best.") == is_first);
+    CHECK(page.data["first"].is_object() == !is_first);
+    if(best["candidate"] == 0 && !is_first) {
+      ++moved;
+      CHECK(page.data["first"]["input_corners"] != best["input_corners"]);
+    }
+  }
+  CHECK(moved > 0);
+}
+
 TEST_CASE("the border of a page has the two sides of every seam")
 {
   const Page page = make_page(soup_of(torus(16, 12)));

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opens a page of `square_map --report` in headless Chromium, looks at it, and uses it.
 
-    check_page.py CHROMIUM PAGE.html [--screenshot FILE.png] [--seconds 3 | --processor-seconds S]
+    check_page.py CHROMIUM PAGE.html [--screenshot FILE.png] [--seconds 3 | --processor-seconds S] [--unused]
 
 Fails when the page asks for anything, when something is on the console, when no picture is drawn within the seconds, when
 a picture is blank or the rectangle of the map has another shape, and when the switches, the pointer or the mouse wheel
@@ -234,7 +234,8 @@ def check(arguments, browser):
         if arguments.screenshot:
             pathlib.Path(arguments.screenshot).write_bytes(browser.screenshot()[1])
         faults += faults_of_pictures(browser)
-        faults += faults_of_use(browser)
+        if not arguments.unused:
+            faults += faults_of_use(browser)
     return faults + list(faults_of_events(browser.events, address))
 
 
@@ -245,6 +246,7 @@ def main():
     parser.add_argument("--screenshot")
     parser.add_argument("--seconds", type=float, default=3, help="for the first picture")
     parser.add_argument("--processor-seconds", type=float, help="for the first picture, instead")
+    parser.add_argument("--unused", action="store_true", help="look at the first picture alone")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         browser = Browser(arguments.chromium, folder)

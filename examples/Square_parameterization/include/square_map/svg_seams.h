@@ -4,7 +4,7 @@
 #ifndef SQUARE_MAP_SVG_SEAMS_H
 #define SQUARE_MAP_SVG_SEAMS_H
 
-#include "Seamed_border.h"
+#include "Map_border.h"
 #include "report.h"
 #include "svg_faces.h"
 
@@ -41,7 +41,7 @@ inline void write_seams(std::ostream& stream, const Flat_map& map, const Job& jo
 {
   stream << "<rect fill='none' stroke='#222' x='" << domain.left << "' y='" << domain.top << "' width='" << domain.width
          << "' height='" << domain.height << "'/>\n";
-  const Seamed_border border(map, job);
+  const Map_border border(map, job);
   const auto place = [&](int position) {
     const int v = border.vertex(position);
     return std::array<double, 2>{map.uv(v, 0), map.uv(v, 1)};

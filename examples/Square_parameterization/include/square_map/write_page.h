@@ -5,8 +5,8 @@
 #define SQUARE_MAP_WRITE_PAGE_H
 
 #include "Job.h"
+#include "Map_border.h"
 #include "Packed_arrays.h"
-#include "Seamed_border.h"
 #include "Stretch_colors.h"
 #include "base64.h"
 #include "page_template.h"
@@ -46,7 +46,7 @@ std::vector<Number> packed(const std::vector<Eigen::Vector3d>& vectors, double s
 }
 
 /// adds the edges of the border, and the number of the seam that each is a side of; -1 for none
-inline void add_border(const Seamed_border& border, Packed_arrays& arrays)
+inline void add_border(const Map_border& border, Packed_arrays& arrays)
 {
   std::vector<std::uint32_t> ends;
   std::vector<std::int32_t> seams(border.number_of_edges(), -1);
@@ -79,7 +79,7 @@ inline Packed_arrays page_arrays(const Flat_map& map, const Job& job, const Firs
     arrays.add("places_first", places(first.uv, first.aspect));
     arrays.add("stretch_first", stretch(first.measures.face_l2));
   }
-  add_border(Seamed_border(map, job), arrays);
+  add_border(Map_border(map, job), arrays);
   return arrays;
 }
 

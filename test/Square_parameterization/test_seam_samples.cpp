@@ -6,6 +6,8 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/Grid_mesh.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/Seam_fit.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/locate_samples.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/vertex_normals.h>
 
 #include <catch2/catch.hpp>

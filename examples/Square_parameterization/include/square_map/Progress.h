@@ -52,7 +52,7 @@ public:
     if(share <= 0)
       start("cutting");
     else if(share < 1)
-      show(std::to_string(std::lround(100 * share)) + " %" + time_left("about", share));
+      show(std::to_string(static_cast<int>(100 * share)) + " %" + time_left("about", share));
     else if(m_line.corners) // there is no search, which would tell
       start("mapping");
   }

@@ -8,7 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/Seam_fit.h>
-#include <CGAL_ext/Square_parameterization/internal/sampling/locate_samples.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/grid_border.h>
 
 #include <algorithm>
 #include <array>
@@ -35,30 +35,6 @@ struct Aligned_map
   /// pairs of samples of the border that are the same point of the surface, counted counter-clockwise from (0, 0)
   std::vector<std::array<int, 2>> seam_samples;
 };
-
-/// number of samples on the border of a grid
-inline int number_of_border_samples(const Grid_size& grid)
-{
-  return 2 * (grid.width - 1) + 2 * (grid.height - 1);
-}
-
-/// the number, row by row, of a sample of the border that is counted counter-clockwise from (0, 0)
-inline std::size_t grid_sample(int border_sample, const Grid_size& grid)
-{
-  const int right = grid.width - 1, top = grid.height - 1;
-  int i = border_sample, j = 0;
-  if(border_sample >= 2 * right + top) {
-    i = 0;
-    j = number_of_border_samples(grid) - border_sample;
-  } else if(border_sample >= right + top) {
-    i = 2 * right + top - border_sample;
-    j = top;
-  } else if(border_sample >= right) {
-    i = right;
-    j = border_sample - right;
-  }
-  return static_cast<std::size_t>(j) * grid.width + i;
-}
 
 /// the point of the square at \p position intervals from the beginning of a side: exactly a sample at a whole number
 inline Uv_point point_on_side(int side, double position, const Grid_size& grid)

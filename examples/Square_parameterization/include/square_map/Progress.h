@@ -66,6 +66,7 @@ public:
 
   void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
   {
+    continue_with("searching");
     m_best = (std::min)(m_best, sample.objective);
     ++m_evaluations;
     char best[32];
@@ -77,21 +78,28 @@ public:
 
   void after_sketch(const CGAL_ext::Search_report::Sample& /* sample */) override
   {
+    continue_with("searching");
     show(counted(++m_sketches, "candidate sketched", "candidates sketched")); // how many will be is not known
     m_start = Clock::now();                                                   // of what time is estimated for
   }
 
   void after_corner_move() override
   {
-    if(m_corner_moves++ == 0)
-      start("moving corners");
-    show(counted(m_corner_moves, "choice compared", "choices compared"));
+    continue_with("moving corners");
+    show(counted(++m_corner_moves, "choice compared", "choices compared"));
   }
 
   void start_minimization() override { start("mapping"); }
 
 private:
   typedef std::chrono::steady_clock Clock;
+
+  /// begins a part of the work, unless it is what was being done
+  void continue_with(const std::string& phase)
+  {
+    if(m_phase != phase)
+      start(phase);
+  }
 
   /// how many of the candidates a strategy evaluates at most, where its page tells
   std::size_t most_evaluations(std::size_t candidates) const

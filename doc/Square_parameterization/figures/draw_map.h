@@ -29,8 +29,13 @@ namespace figures {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef CGAL_ext::Square_map_options<Mesh> Options;
 typedef square_map::Picture<std::uint8_t> Picture;
+
+/// options of maps whose corners are those of a candidate, unless a figure is about corners that move
+struct Options : CGAL_ext::Square_map_options<Mesh>
+{
+  Options() { search_options.moves_corners = false; }
+};
 
 /// a mapped surface, cut open, as arrays
 struct Map
@@ -69,7 +74,7 @@ inline Map make_map(Mesh mesh, const Options& options = {})
   using namespace CGAL_ext::internal;
   auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   Map map;
-  map.result = CGAL_ext::parameterize_onto_square(mesh, uvmap, CGAL_ext::parameters::options(options));
+  map.result = CGAL_ext::parameterize_onto_square(mesh, uvmap, CGAL_ext::parameters::options<Mesh>(options));
   if(map.result.status != CGAL::Surface_mesh_parameterization::OK)
     throw std::runtime_error(map.result.message);
   auto [arrays, vertices] = read_faces(mesh, mesh.faces(), mesh.points());

@@ -54,18 +54,19 @@ public:
       m_evaluation(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
           options.visitor, [this](double share) { return may_continue(share, m_options.deadline); }),
-      m_corner_maps([this] { return m_minimizer.make_worker(); }, patch, m_threads,
+      m_corner_maps([this] { return m_minimizer.make_worker(); }, patch, m_threads, options.visitor,
                     [this] { return may_continue(1, m_options.deadline); })
   {
+    m_sketch_visitor.visitor = options.visitor;
     if(minimizer.has_sketches()) {
       m_sketches.emplace(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
-          nullptr, [this](double) { return may_continue(0, m_sketch_deadline); });
+          &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
       m_corner_sketches.emplace([this] { return m_minimizer.make_sketching_worker(); }, patch, m_threads,
-                                [this] { return may_compare_corners(); });
+                                options.visitor, [this] { return may_compare_corners(); });
     }
     if(minimizer.has_rough_maps())
-      m_rough_maps.emplace([this] { return m_minimizer.make_rough_worker(); }, patch, m_threads,
+      m_rough_maps.emplace([this] { return m_minimizer.make_rough_worker(); }, patch, m_threads, options.visitor,
                            [this] { return may_compare_corners(); });
   }
 
@@ -94,6 +95,18 @@ public:
 
 private:
   static constexpr double CERTAIN = 1e-3; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
+
+  /// tells of sketches what others tell of evaluations
+  struct Sketch_visitor : Search_visitor
+  {
+    void after_evaluation(const Search_report::Sample& sample) override
+    {
+      if(visitor != nullptr)
+        visitor->after_sketch(sample);
+    }
+
+    Search_visitor* visitor = nullptr;
+  };
 
   bool may_continue(double share, const Deadline& deadline) const
   {
@@ -239,6 +252,7 @@ private:
     if(m_corner_maps.best_map().report.objective < outcome.map.report.objective) {
       outcome.map = m_corner_maps.best_map();
       report.corners = m_corner_maps.best_corners();
+      report.has_moved_corners = true;
     }
     report.is_cancelled |= m_are_moves_cancelled;
     if(m_rough_maps)
@@ -256,11 +270,12 @@ private:
   const Map_minimizer& m_minimizer;
   const Corner_search& m_search;
   const Square_search_options& m_options;
-  const Deadline m_sketch_deadline = half_way_to(m_options.deadline);
+  const Deadline m_sketch_deadline = part_way_to(m_options.deadline, 0.5);
   const Border_walk m_walk;
   const int m_number_of_candidates;
   const unsigned int m_threads;
   Candidate_evaluation m_evaluation;
+  Sketch_visitor m_sketch_visitor;
   Corner_evaluation m_corner_maps;
   std::optional<Candidate_evaluation> m_sketches;     // of candidates
   std::optional<Corner_evaluation> m_corner_sketches; // of corners of their own

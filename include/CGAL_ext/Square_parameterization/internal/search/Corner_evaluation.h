@@ -65,6 +65,9 @@ public:
     return objectives;
   }
 
+  /// frees the memory of the threads. \pre no more corners are mapped
+  void release_workers() { m_workers.clear(); }
+
   /// the number of choices evaluated
   std::size_t number_of_choices() const { return m_number_of_choices; }
 
@@ -90,8 +93,7 @@ private:
   Minimized_map map_for(const Corners& corners)
   {
     const Square_border border = square_border(m_loop, corners);
-    Minimized_map map =
-        m_workers.lend([&](const Map_minimizer::Worker& worker) { return worker(border.uv, nullptr); });
+    Minimized_map map = m_workers.lend([&](const Map_minimizer::Worker& worker) { return worker(border.uv, nullptr); });
     const std::lock_guard<std::mutex> lock(m_mutex);
     if(m_visitor != nullptr)
       m_visitor->after_corner_move();

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_BRACKETING_CORNER_SEARCH_H
 
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 
 #include <optional>
 #include <set>
@@ -61,19 +62,18 @@ public:
   }
 
 private:
-  static constexpr double MOST_WORK = 1200; // sweeps over the mesh: those of fifty candidates of an even surface
-
   /// as many samples as the work for one candidate allows, which is known by now
   int affordable_samples(const Corner_search_problem& problem) const
   {
     const double work = problem.work ? problem.work() : 0;
-    return work * m_samples > MOST_WORK ? static_cast<int>(MOST_WORK / work) : m_samples;
+    return work * m_samples > internal::MOST_SEARCH_WORK ? static_cast<int>(internal::MOST_SEARCH_WORK / work)
+                                                         : m_samples;
   }
 
   /// indicates whether no more is to be spent on the search
   static bool has_cost_too_much(const Corner_search_problem& problem)
   {
-    return problem.work && problem.work() > MOST_WORK;
+    return problem.work && problem.work() > internal::MOST_SEARCH_WORK;
   }
 
   /// a ring of which no more candidates are evaluated than the bound, and none when those before were too costly

@@ -45,6 +45,7 @@ inline double searched_stretch(const Triangle_surface& surface, const Cut& cut, 
   minimization.tolerance = minimization.search_tolerance = tolerance;
   Square_search_options options;
   options.number_of_threads = 1;
+  options.moves_corners = false; // it costs more than it tells about cuts
   options.deadline = deadline;
   try {
     const Patch patch = patch_of_cut(surface, cut);

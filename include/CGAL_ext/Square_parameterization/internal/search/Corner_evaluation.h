@@ -56,6 +56,7 @@ public:
       throw Search_cancelled();
     std::vector<double> objectives;
     for(std::size_t i = 0; i < choices.size(); ++i) {
+      m_work += maps[i].work;
       objectives.push_back(maps[i].report.objective);
       if(objectives.back() < m_best_map.report.objective) {
         m_best_map = std::move(maps[i]);
@@ -70,6 +71,9 @@ public:
 
   /// the number of choices evaluated
   std::size_t number_of_choices() const { return m_number_of_choices; }
+
+  /// what all maps together have cost, in vertices visited
+  long work() const { return m_work; }
 
   const Minimized_map& best_map() const { return m_best_map; }
   const Corners& best_corners() const { return m_best_corners; }
@@ -108,6 +112,7 @@ private:
   std::mutex m_mutex; // of the callback and the visitor
   bool m_is_cancelled = false;
   std::size_t m_number_of_choices = 0;
+  long m_work = 0;
   Minimized_map m_best_map;
   Corners m_best_corners{};
 };

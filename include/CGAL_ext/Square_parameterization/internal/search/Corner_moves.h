@@ -48,8 +48,9 @@ public:
   };
 
   /// \param lengths #B, edge k joins border vertices k and k + 1
-  Corner_moves(std::vector<double> lengths, Objective_of objective_of)
-    : m_lengths(std::move(lengths)), m_objective_of(std::move(objective_of))
+  /// \param is_exhausted asked before each step: `true` leaves the corners where they are. May be empty.
+  Corner_moves(std::vector<double> lengths, Objective_of objective_of, std::function<bool()> is_exhausted = {})
+    : m_lengths(std::move(lengths)), m_objective_of(std::move(objective_of)), m_is_exhausted(std::move(is_exhausted))
   {}
 
   /// the number of choices that were evaluated
@@ -87,7 +88,7 @@ public:
   {
     Choice best = compare({corners}).front();
     std::vector<Move> moves = all_moves();
-    for(int step = (std::max)(1, first_step); step > 0;) {
+    for(int step = (std::max)(1, first_step); step > 0 && !(m_is_exhausted && m_is_exhausted());) {
       const std::vector<Choice> choices = compare(moved(best.corners, moves, step));
       if(!choices.empty() && choices.front().objective < best.objective) {
         best = choices.front();
@@ -199,6 +200,7 @@ private:
 
   std::vector<double> m_lengths;
   Objective_of m_objective_of;
+  std::function<bool()> m_is_exhausted;
   std::map<Corners, double> m_known;
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -85,9 +86,12 @@ private:
   /// where the corners come to rest, but for the start itself
   std::vector<Corners> ends_of_moves(const Corners& start)
   {
-    Corner_moves moves(m_patch.border_lengths, [this](const auto& choices) { return map_roughly(choices); });
-    moves.compare({start});
+    map_roughly({start});
     const bool is_square = m_rough_maps->best_map().aspect == 1;
+    const double most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
+    Corner_moves moves(
+        m_patch.border_lengths, [this](const auto& choices) { return map_roughly(choices); },
+        [this, most_work] { return double(m_rough_maps->work()) > most_work; });
     std::vector<Corners> starts{start};
     if(!is_square)
       for(const Corner_moves::Choice& choice : moves.best_of_spread())

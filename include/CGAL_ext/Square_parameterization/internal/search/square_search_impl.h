@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Free_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <algorithm>
@@ -132,9 +133,19 @@ private:
   /// moves the corners from those of the best candidate; false when it may still be better than what comes out
   bool move_corners()
   {
-    const std::optional<int> candidate = m_settled_for ? m_settled_for : m_evaluation.report().best_candidate;
-    return m_options.moves_corners && m_corners.has_rough_maps() && candidate && !m_evaluation.report().is_cancelled &&
-           m_corners.move(border_of(*candidate).corners);
+    const Search_report report = m_evaluation.report();
+    const std::optional<int> candidate = m_settled_for ? m_settled_for : report.best_candidate;
+    if(!m_options.moves_corners || !m_corners.has_rough_maps() || !candidate || report.is_cancelled)
+      return false;
+    const std::size_t maps = report.evaluations + (m_sketches ? m_sketches->report().evaluations : 0);
+    return work() <= MOST_WORK_TO_MOVE * double(maps) && m_corners.move(border_of(*candidate).corners);
+  }
+
+  /// of maps and sketches so far, in sweeps over the mesh
+  double work() const
+  {
+    const long vertices = m_evaluation.work() + (m_sketches ? m_sketches->work() : 0);
+    return double(vertices) / m_patch.number_of_vertices();
   }
 
   Square_border border_of(int candidate) const
@@ -173,10 +184,7 @@ private:
         m_settled_for = candidate;
       };
     }
-    problem.work = [this] {
-      const long work = m_evaluation.work() + (m_sketches ? m_sketches->work() : 0);
-      return double(work) / m_patch.number_of_vertices();
-    };
+    problem.work = [this] { return work(); };
     problem.circle_stretch = [this] { return m_minimizer.circle_stretch(); };
     problem.corner_distances = [this](int candidate) { return corner_distances(border_of(candidate).uv); };
     return problem;

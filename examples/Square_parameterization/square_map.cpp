@@ -4,6 +4,8 @@
 
 #include "include/square_map/Output_set.h"
 #include "include/square_map/Progress.h"
+#include "include/square_map/draw_thumbnail.h"
+#include "include/square_map/known_curve.h"
 #include "include/square_map/map_first_candidate.h"
 #include "include/square_map/messages.h"
 #include "include/square_map/out_of_memory.h"
@@ -19,8 +21,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <numeric>
+#include <optional>
 #include <system_error>
 
 namespace {
@@ -80,6 +84,7 @@ void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
   add_image_outputs(job, outputs);
   outputs.add(job.line.svg, [&job](std::ostream& stream) { write_svg(stream, *job.flat, job); });
   outputs.add(job.line.page, [&job](std::ostream& stream) { write_page(stream, *job.flat, job, *job.first); });
+  outputs.add(job.line.thumbnail, [&job](std::ostream& stream) { stream << png_file(draw_thumbnail(*job.flat)); });
   outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
     nlohmann::ordered_json report = make_report(job); // measuring the image takes time, too
     job.seconds.write = watch.total() - job.seconds.total;
@@ -114,7 +119,8 @@ Vertex_colors flat_colors(const Job& job)
 void sample_map(Job& job)
 {
   const Command_line& line = job.line;
-  if(makes_image(line) || !line.svg.empty() || !line.page.empty() || output_extension(line.output) == "glb")
+  if(makes_image(line) || !line.svg.empty() || !line.page.empty() || !line.thumbnail.empty() ||
+     output_extension(line.output) == "glb")
     job.flat = flat_map(job.mesh, job.uv, job.originals);
   if(!line.attributes.empty())
     job.flat->colors = flat_colors(job);
@@ -208,12 +214,30 @@ void map_mesh(Job& job, Progress& progress)
 {
   Command_line& line = job.line;
   progress.start("mapping");
+  std::optional<Known_curve> curve;
+  if(!line.curves.empty())
+    curve = read_curves(line.curves);
+  if(curve)
+    line.options.search = curve->search(line.options.search);
   line.options.search_options.visitor = &progress;
   job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(line.options));
   line.options.search_options.visitor = nullptr;
   if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
     refuse_corners(*line.corners, job.result);
+  if(curve)
+    curve->complete(job.result.search);
   job.originals = originals_of(job.result, job.uncut_vertices);
+}
+
+/// indicates whether the curve of a slice is all that was asked for, and was found: that no candidate has a map is a
+/// result then
+bool has_curve_alone(const Job& job)
+{
+  const Command_line& line = job.line;
+  const std::vector<std::string> maps{line.output,    line.svg,   line.page,       line.grid_mesh,
+                                      line.thumbnail, line.image, line.normal_map, line.attributes};
+  return line.candidates && job.result.search.evaluations > 0 && !job.result.search.is_cancelled &&
+         std::all_of(maps.begin(), maps.end(), [](const std::string& name) { return name.empty(); });
 }
 
 /// runs the whole job; problems leave as exceptions, and with them no output file
@@ -241,6 +265,10 @@ Exit_status run(Command_line command_line)
     progress.clear();
     std::cerr << "square_map: " << (result.search.is_cancelled ? "the time limit was reached: " : "") << result.message
               << '\n';
+    if(has_curve_alone(job)) {
+      outputs.write_and_commit();
+      return DONE;
+    }
     return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
   if(!job.line.page.empty() || makes_image(job.line))

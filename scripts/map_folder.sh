@@ -16,13 +16,11 @@
 #   --part K/N                   the K-th of N parts, counted from 1, as map_folder.slurm calls it
 #
 # With SQUARE_MAP in the environment that program is used, and nothing is installed or built.
-# Status: 0 all meshes are mapped; 1 some are not; 2 a call that makes no sense.
+# Status: 0 all meshes (of the parts so far) are mapped; 1 some are not; 2 a call that makes no sense.
 set -euo pipefail
 
-fail() {
-  echo "map_folder.sh: $*" >&2
-  exit 2
-}
+export CALLED=map_folder.sh
+. "$(dirname "${BASH_SOURCE[0]}")/folder/run_jobs.sh"
 
 help=$(sed -n '2,/^set -euo/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}")
 [ "${1:-}" != --help ] && [ "${1:-}" != -h ] || { echo "$help"; exit; }
@@ -31,49 +29,26 @@ if [ $# -lt 2 ] || [ -z "$1" ] || [ -z "$2" ]; then
 fi
 in=$(realpath -m -- "$1") out=$(realpath -m -- "$2")
 shift 2
-hosts=() machines=1 part=1/1 options=()
+part=1/1 options=()
 while [ $# -gt 0 ]; do
   case $1 in
     --hosts | --part) [ $# -gt 1 ] || fail "$1 needs a value" ;;&
-    --hosts)
-      [ -r "$2" ] || fail "the file of the machines '$2' cannot be read"
-      hosts=(--sshloginfile "$(realpath -- "$2")")
-      machines=$(grep -cv '^ *\(#\|$\)' "$2") || fail "the file of the machines '$2' names none"
-      shift 2
-      ;;
+    --hosts) take_hosts "$2"; shift 2 ;;
     --part) part=$2; shift 2 ;;
     *) options+=("$1"); shift ;;
   esac
 done
 
-tools=$(cd "$(dirname "${BASH_SOURCE[0]}")/folder" && pwd)
 extra_packages=(parallel python3)
 [ ${#hosts[@]} -eq 0 ] || extra_packages+=(openssh-client)
 . "$tools/../build_square_map.sh"
 
 plan=$(python3 "$tools/plan_folder.py" "$square_map" "$in" "$out" --machines "$machines" --part "$part" -- "${options[@]}")
-export PARALLEL_HOME=$out/.map_folder/parallel PARALLEL_SHELL=/bin/sh
-mkdir -p "$PARALLEL_HOME"
-mapfile -t words < <(python3 "$tools/meshes.py" "$square_map" "$in" "$out")
-
-python=python3 # here the program itself: what stands for it may take longer to start than it takes to map a small mesh
-if [ ${#hosts[@]} -eq 0 ]; then
-  python=$(python3 -c 'import sys; print(sys.executable)')
-else
-  here=$(python3 "$tools/map_mesh.py" --check "${words[0]}" "${words[2]}")
-  parallel --will-cite --quote --nonall --tag "${hosts[@]}" python3 "$tools/map_mesh.py" --check "${words[0]}" "${words[2]}" |
-    awk -F '\t' -v here="$here" '$2 != here { print; exit 1 }' >&2 ||
-    fail "each machine must see IN, OUT, the scripts and the same square_map as this one, under the same names"
-fi
-
-progress=()
-[ ! -t 2 ] || progress=(--bar)
+prepare_jobs "$square_map" "$out"
+words_of "$square_map" "$in" "$out"
 while read -r _ threads jobs percent memory <&3; do
-  [ ${#hosts[@]} -eq 0 ] || jobs=$percent%
   awk -v threads="$threads" '$1 == "mesh" && $2 == threads { print $3 }' <<< "$plan" |
-    parallel --will-cite --quote --ungroup --retries 3 --jobs "$jobs" --memfree "$memory" "${hosts[@]}" "${progress[@]}" \
-      --joblog "+$out/.map_folder/joblog" \
-      "$python" "$tools/map_mesh.py" "${words[@]}" "$threads" '{}' || true # the records say what became of each
+    run_jobs "$jobs" "$percent" "$memory" map_mesh.py "${words[@]}" "$threads"
 done 3< <(grep '^pass ' <<< "$plan")
 
-exec python3 "$tools/write_summary.py" "$in" "$out"
+exec python3 "$tools/write_summary.py" "$in" "$out" "$part"

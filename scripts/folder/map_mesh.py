@@ -24,6 +24,7 @@ import sys
 import time
 
 from meshes import STATE, Record, is_mapped, key_of, name_of, state_of
+from state import read_settings
 
 STOPPED = (-signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP, *(128 + s for s in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP)))
 
@@ -85,7 +86,7 @@ def replace(stage, place):
 
 def map_mesh(program, source, out, threads, mesh, lock):
     """maps a mesh, and returns its record; None when it was stopped"""
-    settings = read_json(os.path.join(out, STATE, b'settings.json'))
+    settings = read_settings(out)
     stage = os.path.join(out, STATE, b'work', key_of(mesh))
     shutil.rmtree(stage, ignore_errors=True)
     os.makedirs(stage)
@@ -113,8 +114,8 @@ def check(program, out):
     with open(program, 'rb') as file:
         digest = hashlib.sha256(file.read()).hexdigest()
     version = subprocess.run([program, '--version'], capture_output=True, check=True).stdout
-    print(digest, version.decode().strip(), hashlib.sha256(json.dumps(read_json(
-        os.path.join(out, STATE, b'settings.json'))).encode()).hexdigest(), os.access(out, os.W_OK))
+    print(digest, version.decode().strip(), hashlib.sha256(json.dumps(read_settings(out)).encode()).hexdigest(),
+          os.access(out, os.W_OK))
 
 
 def main():

@@ -12,8 +12,10 @@ import os
 import sys
 import urllib.parse
 
+import state
+
 ENDINGS = (b'.off', b'.obj', b'.ply', b'.stl')
-STATE = b'.map_folder'  # the folder in OUT with all that is not a result
+STATE = state.STATE.encode()
 
 
 def word_of(name):

@@ -87,8 +87,8 @@ inline boost::program_options::options_description option_list(Given_options& gi
       "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
       "quarter-brute-force, particle-swarm, step-sampling, single-highest, many-high, better-of-two, none");
   add("candidates", po::value(&given.candidates)->value_name("FIRST:LAST"),
-      "brute-force, quarter-brute-force: map these candidates alone, FIRST and LAST among them, counted from 0; where "
-      "none has a map, a report alone is written all the same");
+      "brute-force, quarter-brute-force: map these candidates alone, FIRST and LAST among them, counted from 0; no "
+      "corner moves on its own. Where none has a map, a report alone is written all the same");
   add("curve", po::value(&line.curves)->value_name("FILE"),
       "brute-force, quarter-brute-force: a report of such a slice; may be given several times, until all candidates "
       "are "

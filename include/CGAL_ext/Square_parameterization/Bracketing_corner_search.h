@@ -16,7 +16,7 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// samples the ring of candidates of the quarter evenly, and then closes in on the best: each sample that is not higher
+/// maps the first candidate, then even samples of the ring of the quarter, and closes in on the best: each sample that is not higher
 /// than its neighbors brackets a valley; the valley with the lowest bottom, by the parabola through its three samples,
 /// is sampled again, until no valley promises less than the best candidate known. On a curve with several valleys the
 /// largest gaps are sampled, too. Maps start from those of their neighbors.
@@ -24,6 +24,9 @@ namespace CGAL_ext {
 /// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched first: 32 even samples,
 /// then about as many between the best of them and its neighbors, and so on. The candidate with the best sketch and the
 /// two on either side are then mapped, and it goes on downhill from the best.
+///
+/// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
+/// the maps and sketches have cost as much as those of fifty candidates of an even surface.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
 /// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the
@@ -57,7 +60,7 @@ public:
   }
 
 private:
-  static constexpr double MOST_WORK = 1200; // sweeps over the mesh
+  static constexpr double MOST_WORK = 1200; // sweeps over the mesh: those of fifty candidates of an even surface
 
   /// as many samples as the work for one candidate allows, which is known by now
   int affordable_samples(const Corner_search_problem& problem) const
@@ -66,8 +69,7 @@ private:
     return work * m_samples > MOST_WORK ? static_cast<int>(MOST_WORK / work) : m_samples;
   }
 
-  /// indicates whether the maps and sketches so far have cost as much as those of fifty candidates of an even
-  /// surface: no more are made then, for all are alike in how much they are stretched, and each takes long
+  /// indicates whether no more is to be spent on the search
   static bool has_cost_too_much(const Corner_search_problem& problem)
   {
     return problem.work && problem.work() > MOST_WORK;

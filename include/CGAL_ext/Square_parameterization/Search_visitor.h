@@ -13,8 +13,8 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationResults
 ///
-/// is told how the choice of a cut, a search and a minimization proceed. Derive from it and override what you need; all functions do nothing
-/// by default. It is given in `Square_search_options`, and only watches: to stop a search is for
+/// is told how the choice of a cut, a search and a minimization proceed. Derive from it and override what you need; all
+/// functions do nothing by default. It is given in `Square_search_options`, and only watches: to stop a search is for
 /// `Square_search_options::callback`.
 ///
 /// Parameterizers hold a pointer to the visitor, which must outlive them: they are copied, the visitor is not. The calls
@@ -42,7 +42,8 @@ public:
   /// `start_search()`, unless a search is refused or left by an exception
   virtual void start_minimization() {}
 
-  /// called after the map of the best candidate is made, as often as `start_search()`; not when a search is refused or left by an exception
+  /// called after the map of the best candidate is made, as often as `start_search()`; not when a search is refused or
+  /// left by an exception
   virtual void end_search(const Search_report& /* report */) {}
 
   /// called once, after all of these, with the minimization that made the best map: the delivered one, unless another

@@ -13,8 +13,6 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Secant_memory.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
 
-#include <optional>
-
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
@@ -105,8 +103,7 @@ public:
         break;
       }
       const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope);
-      const std::optional<double> length = search_line(report.objective, slope, map.uv, workspace);
-      if(!length) {
+      if(!search_line(report.objective, slope, map.uv, workspace)) {
         if(age == 0 && memory.is_empty()) {
           report.stop_reason = Stop_reason::NO_LOWER_MAP;
           break;
@@ -220,17 +217,16 @@ private:
     return is_any_blocked;
   }
 
-  /// sets the trial to a map of lower energy on the line from \p uv and returns the length of the step; none when there
-  /// is none
-  std::optional<double> search_line(double energy, double slope, const Uv_coordinates& uv, Workspace& workspace) const
+  /// sets the trial to a map of lower energy on the line from \p uv; false when there is none
+  bool search_line(double energy, double slope, const Uv_coordinates& uv, Workspace& workspace) const
   {
     double length = (std::min)(1., Minimizer_numbers::STEP_SAFETY * largest_step(patch(), uv, workspace.direction));
     for(int i = 0; i < Minimizer_numbers::MAXIMUM_STEP_HALVINGS; ++i, length /= 2) {
       workspace.trial = uv + length * workspace.direction;
       if(m_energy(workspace.trial) <= energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope)
-        return length;
+        return true;
     }
-    return {};
+    return false;
   }
 
   /// sweeps over the trial, makes it the map, remembers the step, and returns the energy

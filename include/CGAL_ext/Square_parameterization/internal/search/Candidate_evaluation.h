@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Worker_pool.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +73,7 @@ public:
   Candidate_evaluation(int number_of_candidates, std::function<Worker()> make_worker, unsigned int number_of_threads,
                        Search_visitor* visitor, std::function<bool(double)> callback)
     : m_number_of_candidates(number_of_candidates),
-      m_make_worker(std::move(make_worker)),
+      m_workers(std::move(make_worker)),
       m_team(number_of_threads, number_of_candidates),
       m_visitor(visitor),
       m_callback(std::move(callback))
@@ -121,7 +122,7 @@ public:
   bool is_untouched() const { return m_samples.empty() && !m_is_cancelled; }
 
   /// frees the memory of the threads. \pre no more candidates are evaluated
-  void release_workers() { m_idle_workers.clear(); }
+  void release_workers() { m_workers.clear(); }
 
   /// what has been found, but for the corners
   Search_report report() const
@@ -165,27 +166,11 @@ private:
     return nearest;
   }
 
-  /// a worker that no other thread uses; the last one that was put back, whose memory is the likeliest to be at hand
-  Worker take_worker()
-  {
-    {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if(!m_idle_workers.empty()) {
-        Worker worker = std::move(m_idle_workers.back());
-        m_idle_workers.pop_back();
-        return worker;
-      }
-    }
-    return m_make_worker();
-  }
-
   void evaluate(int candidate, const Uv_coordinates* warm_start, bool keeps_warm_start)
   {
-    Worker worker = take_worker();
-    Minimized_map map = worker(candidate, warm_start);
+    Minimized_map map = m_workers.lend([&](const Worker& worker) { return worker(candidate, warm_start); });
     const double objective = map.report.objective;
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_idle_workers.push_back(std::move(worker));
     if(keeps_warm_start && map.warm_start.rows() > 0)
       m_warm_starts[candidate] = map.warm_start;
     const Search_report::Sample sample{candidate, objective, map.report.l2};
@@ -202,13 +187,12 @@ private:
   }
 
   const int m_number_of_candidates;
-  std::function<Worker()> m_make_worker;
+  Worker_pool<Worker> m_workers;
   Thread_team m_team;
   Search_visitor* m_visitor;
   std::function<bool(double)> m_callback;
 
   std::mutex m_mutex; // guards what follows while threads run
-  std::vector<Worker> m_idle_workers;
   std::map<int, Search_report::Sample> m_samples;
   std::map<int, Uv_coordinates> m_warm_starts; // by candidate
   std::size_t m_finished = 0;

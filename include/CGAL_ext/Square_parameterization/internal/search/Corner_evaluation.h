@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Worker_pool.h>
 
 #include <functional>
 #include <mutex>
@@ -27,7 +28,7 @@ public:
   /// \param may_continue asked before each map, by one thread at a time; `false` stops
   Corner_evaluation(std::function<Map_minimizer::Worker()> make_worker, const Patch& patch,
                     unsigned int number_of_threads, std::function<bool()> may_continue)
-    : m_make_worker(std::move(make_worker)),
+    : m_workers(std::move(make_worker)),
       m_loop(patch.border_lengths, Walk::COUNTER_CLOCKWISE),
       m_team(number_of_threads, MOST_TASKS),
       m_may_continue(std::move(may_continue))
@@ -70,32 +71,15 @@ private:
 
   Minimized_map map_for(const Corners& corners)
   {
-    Map_minimizer::Worker worker = take_worker();
-    Minimized_map map = worker(square_border(m_loop, corners).uv, nullptr);
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_idle_workers.push_back(std::move(worker));
-    return map;
+    const Square_border border = square_border(m_loop, corners);
+    return m_workers.lend([&](const Map_minimizer::Worker& worker) { return worker(border.uv, nullptr); });
   }
 
-  Map_minimizer::Worker take_worker()
-  {
-    {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if(!m_idle_workers.empty()) {
-        Map_minimizer::Worker worker = std::move(m_idle_workers.back());
-        m_idle_workers.pop_back();
-        return worker;
-      }
-    }
-    return m_make_worker();
-  }
-
-  std::function<Map_minimizer::Worker()> m_make_worker;
+  Worker_pool<Map_minimizer::Worker> m_workers;
   const Border_walk m_loop;
   Thread_team m_team;
   std::function<bool()> m_may_continue;
-  std::mutex m_mutex; // of the callback and of the workers
-  std::vector<Map_minimizer::Worker> m_idle_workers;
+  std::mutex m_mutex; // of the callback
   bool m_is_cancelled = false;
   Minimized_map m_best_map;
   Corners m_best_corners{};

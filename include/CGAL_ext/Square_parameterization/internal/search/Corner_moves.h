@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -24,8 +25,9 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// searches four corners among all border vertices by pattern search: all four, opposite pairs and single ones move by
-/// as many vertices, to and fro, to the best of these places; the steps halve where none is lower. Pure decisions over
+/// searches four corners among all border vertices by pattern search: all four, opposite pairs (together and
+/// against each other) and single ones move by as many vertices, to and fro, to the best of these places; the steps
+/// halve where none is lower. Pure decisions over
 /// the objectives; each choice of corners is evaluated once. Deterministic.
 class Corner_moves
 {
@@ -110,9 +112,7 @@ private:
   /// the border vertices nearest to shares of the length of the border; none when two are one
   std::optional<Corners> at(const std::array<double, 4>& shares) const
   {
-    double total = 0;
-    for(double length : m_lengths)
-      total += length;
+    const double total = std::accumulate(m_lengths.begin(), m_lengths.end(), 0.);
     Corners corners{};
     for(int k = 0; k < 4; ++k) {
       const double aim = (shares[k] - std::floor(shares[k])) * total;

@@ -78,7 +78,7 @@ TEST_CASE("a number out of range is refused, and never moved into it")
       {{"--aspect", "nan"}, "--aspect must be from 0.001 to 1000, or best; not 'nan'"},
       {{"--aspect", "1e9"}, "--aspect must be from 0.001 to 1000, or best; not '1e9'"},
       {{"--minimizer", "iterative", "--aspect", "2"}, "--aspect goes with --minimizer optimal"},
-      {{"--quarter-corners"}, "--quarter-corners goes with an --aspect that is not 1, and a search"},
+      {{"--quarter-corners", "--minimizer", "iterative"}, "--quarter-corners goes with --minimizer optimal, and a search"},
       {{"--cut-weight", "-0.001"}, "--cut-weight and --max-cut-length must be numbers, 0 or more"},
       {{"--cut-weight", "nan"}, "--cut-weight and --max-cut-length must be numbers, 0 or more"},
       {{"--max-cut-length", "-1"}, "--cut-weight and --max-cut-length must be numbers, 0 or more"},

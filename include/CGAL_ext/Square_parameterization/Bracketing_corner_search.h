@@ -21,9 +21,9 @@ namespace CGAL_ext {
 /// is sampled again, until no valley promises less than the best candidate known. On a curve with several valleys the
 /// largest gaps are sampled, too. Maps start from those of their neighbors.
 ///
-/// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched first: 32 even samples,
-/// then about as many between the best of them and its neighbors, and so on. The candidate with the best sketch and the
-/// two on either side are then mapped, and it goes on downhill from the best.
+/// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched instead: 32 even samples,
+/// then about as many between the best of them and its neighbors, and so on. It settles for the candidate with the best
+/// sketch, which is the only one that is mapped.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface.
@@ -49,10 +49,11 @@ public:
 
   void operator()(const Corner_search_problem& problem) const
   {
-    Samples samples(problem);
-    const std::optional<int> sketched = best_sketch(problem);
-    if(sketched && go_downhill(*sketched, samples))
+    if(const std::optional<int> sketched = best_sketch(problem)) {
+      problem.settle_for(*sketched);
       return;
+    }
+    Samples samples(problem);
     samples.evaluate({0});
     const std::vector<int> even = samples.ring.even_candidates(affordable_samples(problem));
     samples.evaluate({even.begin(), even.end()});
@@ -119,24 +120,6 @@ private:
         break;
       samples.evaluate(valley ? next_samples(*valley, samples.ring) : middle_of_largest_gap(samples.ring));
     }
-  }
-
-  /// evaluates a candidate and the next two on either side, and then the neighbors of the best as long as these are
-  /// lower; false when there is no map
-  static bool go_downhill(int candidate, Samples& samples)
-  {
-    const internal::Candidate_ring& ring = samples.ring;
-    const auto both_sides = [&ring](int middle, int distance) {
-      std::set<int> result;
-      for(int i = -distance; i <= distance; ++i)
-        result.insert(ring.at(middle + i));
-      return result;
-    };
-    samples.evaluate(both_sides(candidate, has_cost_too_much(samples.problem) ? 0 : 2)); // a step over a ripple
-    while(std::isfinite(ring.objective(ring.best())))
-      if(!samples.evaluate(both_sides(ring.best(), 1)))
-        return true;
-    return false;
   }
 
   /// the best candidate of a coarser mesh: of even samples, and ever finer ones round the best; none when there is no

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_CORNER_SEARCH_PROBLEM_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_CORNER_SEARCH_PROBLEM_H
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -36,6 +37,22 @@ struct Corner_search_problem
   /// values only, and lowest near the candidate whose `objective_of` is lowest. Empty when the mesh has fewer than 8000
   /// vertices, and when the minimizer has no coarser meshes.
   std::function<std::vector<double>(const std::vector<int>&)> sketched_objective_of;
+
+  /// names the candidate that a strategy settles for by sketches alone. It is mapped after the search, with its own
+  /// corners or with those to which they move; when it has no map, the strategy is asked again, without sketches. Empty
+  /// where there are none.
+  std::function<void(int)> settle_for;
+
+  /// maps for choices of four corners of their own, concurrently, and returns their objectives: positions in the border
+  /// loop of the vertices at (0,0), (1,0), (1,1), (0,1), distinct and in counter-clockwise order. The best of them is
+  /// delivered when no candidate is as good.
+  std::function<std::vector<double>(const std::vector<std::array<int, 4>>&)> objective_of_corners;
+
+  /// the same on a coarse mesh of a few hundred vertices: a small fraction of the cost, comparable among such values
+  /// only. Empty when the minimizer has no coarser meshes.
+  std::function<std::vector<double>(const std::vector<std::array<int, 4>>&)> rough_objective_of_corners;
+
+  std::vector<double> border_lengths; ///< one per border edge: edge k joins vertices k and k + 1 of the loop
 
   /// what all maps and sketches so far have cost, in sweeps over the vertices of the mesh: an even surface takes about
   /// twenty for an evaluation, one that is stretched tens of times hundreds. It does not depend on the number of threads

@@ -29,13 +29,14 @@ struct Search_report
   int candidates = 0;          ///< number of candidates the strategy could choose from
   std::size_t evaluations = 0; ///< number of candidates that were mapped, each counted once
   std::size_t sketches = 0; ///< number of candidates that were mapped on a coarser mesh, to choose those to be mapped
-  std::optional<int> best_candidate;                               ///< none when no candidate has a one-to-one map
+  std::optional<int> best_candidate;                               ///< none when none has a one-to-one map
   double best_objective = std::numeric_limits<double>::infinity(); ///< of the best candidate
   /// positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1); 0 without a map
   std::array<int, 4> corners{};
-  std::size_t corner_moves = 0; ///< number of choices of four corners that were compared beyond the candidates
-  std::vector<Sample> curve;    ///< the evaluated candidates, in the order of the candidates
-  bool is_cancelled = false;    ///< the callback or the deadline stopped the search: the best so far is reported
+  std::size_t corner_moves = 0;       ///< number of choices of four corners that were compared beyond the candidates
+  std::vector<Sample> curve;          ///< the evaluated candidates, in the order of the candidates
+  std::vector<Sample> sketched_curve; ///< the sketched candidates; comparable among themselves only
+  bool is_cancelled = false;          ///< the callback or the deadline stopped the search: the best so far is reported
 };
 
 } // namespace CGAL_ext

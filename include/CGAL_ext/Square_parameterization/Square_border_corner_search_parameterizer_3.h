@@ -88,7 +88,7 @@ public:
       internal::check_corner_search(m_search);
       const auto [patch, vertices] = internal::make_face_graph_patch(mesh, bhd, get(CGAL::vertex_point, mesh));
       const internal::Search_outcome outcome = search(patch, *internal::make_minimizer(patch, m_objective, deadline()));
-      if(!outcome.report.best_candidate)
+      if(outcome.map.uv.rows() == 0)
         return SMP::ERROR_NO_1_TO_1_MAPPING;
       internal::write_uv(internal::select(vertices, patch.border), internal::border_coordinates(patch, outcome.map.uv),
                          uvmap, vpmap);

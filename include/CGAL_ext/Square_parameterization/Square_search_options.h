@@ -32,7 +32,7 @@ struct Square_search_options
   /// lowers the energy of a coarse map. A rectangle that is not the square is also sought from other shares of the sides
   /// than quarters. The best of what comes out and of the candidates is delivered; the strategy and its curve stay as
   /// they are. Has an effect with `Balanced_minimization` alone.
-  bool moves_corners = false;
+  bool moves_corners = true;
 
   /// when it has passed, no evaluation and no sketch begins, what is being minimised is left as it is, and the best
   /// candidate so far is delivered, marked as cancelled, as when the callback stops the search. Of the time until then

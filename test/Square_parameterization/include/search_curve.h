@@ -71,7 +71,9 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
   problem.number_of_candidates = candidates;
   problem.objective_of = [&](const std::vector<int>& batch) { return evaluation(batch); };
   std::size_t sketches = 0;
-  if(!conditions.sketched_stretch.empty())
+  std::optional<int> settled_for;
+  if(!conditions.sketched_stretch.empty()) {
+    problem.settle_for = [&](int candidate) { settled_for = candidate; };
     problem.sketched_objective_of = [&](const std::vector<int>& batch) {
       sketches += batch.size();
       Stretch_curve stretch;
@@ -79,13 +81,16 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
         stretch.push_back(conditions.sketched_stretch.at(candidate));
       return stretch;
     };
+  }
   problem.work = [&] { return conditions.work_per_map * double(evaluation.report().evaluations + sketches); };
   problem.number_of_vertices = conditions.number_of_vertices;
   problem.number_of_faces = conditions.number_of_faces;
   problem.circle_stretch = [&] { return conditions.circle_stretch; };
   problem.corner_distances = conditions.corner_distances;
   CGAL_ext::internal::check_corner_search(search);
-  CGAL_ext::internal::run_corner_search(search, problem, evaluation);
+  CGAL_ext::internal::run_corner_search(search, problem, [&] { return settled_for || !evaluation.is_untouched(); });
+  if(settled_for)
+    evaluation({*settled_for});
   CGAL_ext::Search_report report = evaluation.report();
   report.sketches = sketches;
   return report;

@@ -242,9 +242,7 @@ inline void set_search(const Given_options& given, Command_line& line)
     options.search = Slice_corner_search{options.search.candidate_set(), *line.candidates};
     options.tries_other_starts = false; // the curves of all slices come from one start
   }
-  const auto* balanced = std::get_if<CGAL_ext::Balanced_minimization>(&options.minimization);
-  options.search_options.moves_corners = balanced != nullptr && balanced->aspect != 1 && line.strategy != "none" &&
-                                         !line.candidates && !given.keeps_quarters;
+  options.search_options.moves_corners = line.strategy != "none" && !line.candidates && !given.keeps_quarters;
   if(given.has("corner-rule"))
     options.search_options.corner_rule = named<Corner_rule>(
         {{"author", Corner_rule::AUTHOR}, {"nearest", Corner_rule::NEAREST}}, "corner-rule", given.corner_rule);

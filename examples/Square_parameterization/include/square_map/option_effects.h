@@ -48,10 +48,10 @@ inline std::vector<Effect> effects()
        }},
       {{"candidates"}, "has no effect beside --curve", [](const Command_line& line) { return line.curves.empty(); }},
       {{"quarter-corners"},
-       "goes with an --aspect that is not 1, and a search",
+       "goes with --minimizer optimal, and a search",
        [](const Command_line& line) {
-         const auto* balanced = std::get_if<CGAL_ext::Balanced_minimization>(&line.options.minimization);
-         return balanced != nullptr && balanced->aspect != 1 && !line.corners && line.strategy != "none";
+         return std::holds_alternative<CGAL_ext::Balanced_minimization>(line.options.minimization) && !line.corners &&
+                line.strategy != "none";
        }},
       {{"step"},
        "goes with --strategy step-sampling",

@@ -100,7 +100,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("aspect", po::value(&given.aspect)->value_name("R"),
       "optimal: width over height of the rectangle, or best; default 1, the square. uv stay in [0, 1]");
   add("quarter-corners", po::bool_switch(&given.keeps_quarters),
-      "leave the corners of a rectangle where the quarters of the border put them; without it they move on their own");
+      "optimal: leave the corners where the quarters of the border put them; without it they move on their own");
   add("border", po::value(&given.border)->value_name("NAME"),
       "optimal: fixed or sliding (default); the border of iterative is fixed");
   add("component", po::value(&given.component)->value_name("K"),

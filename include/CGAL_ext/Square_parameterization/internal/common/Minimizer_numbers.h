@@ -131,6 +131,10 @@ struct Minimizer_numbers
   /// cost of a step, as a multiple of that of a sweep; measured
   static constexpr long STEP_WORK = 4;
 
+  /// vertices of a patch whose matrices are factored, at most: above, a V-cycle over the coarser patches stands for the
+  /// factors, whose time and memory grow faster than the patch
+  static constexpr int LARGEST_FACTORED = 20000;
+
   // --- from coarse to fine: Multilevel_minimizer ---
 
   /// balance of coarse patches, at least: pure L2 stretch tears coarse maps open elsewhere than fine ones, and a little

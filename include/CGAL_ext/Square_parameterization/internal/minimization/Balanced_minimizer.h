@@ -9,7 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Axis_preconditioner.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Secant_memory.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
 
@@ -29,17 +29,21 @@ public:
   /// the memory of one thread
   struct Workspace
   {
-    Axis_preconditioner::Factors factors;
+    Multigrid_preconditioner::Memory preconditioner;
     Uv_coordinates gradient, previous_gradient, direction, trial;
   };
 
+  /// of a small patch
   /// \param deadline when it has passed a minimization ends with the map so far
   Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline = {})
-    : m_energy(patch, options.balance, options.aspect),
-      m_preconditioner(patch),
-      m_sweep(patch, options.balance),
-      m_options(options),
-      m_deadline(deadline)
+    : Balanced_minimizer(patch, options, deadline, Multigrid_preconditioner(patch))
+  {}
+
+  /// of a large patch, of which coarser ones have been minimised
+  Balanced_minimizer(const Patch& patch, const Coarse_patch& to_coarser, const Balanced_minimizer& coarser,
+                     const Balanced_minimization& options, const Deadline& deadline)
+    : Balanced_minimizer(patch, options, deadline,
+                         Multigrid_preconditioner(patch, to_coarser, coarser.m_preconditioner))
   {}
 
   const Patch& patch() const { return m_energy.patch(); }
@@ -93,7 +97,7 @@ public:
         report.stop_reason = Stop_reason::DEADLINE;
         break;
       }
-      if(age == 0 && !m_preconditioner.factorize(m_energy, map.uv, is_free, workspace.factors)) {
+      if(age == 0 && !m_preconditioner.factorize(m_energy, map.uv, is_free, workspace.preconditioner)) {
         report.stop_reason = Stop_reason::CANNOT_SOLVE;
         break;
       }
@@ -139,6 +143,15 @@ public:
   }
 
 private:
+  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline,
+                     Multigrid_preconditioner preconditioner)
+    : m_energy(patch, options.balance, options.aspect),
+      m_preconditioner(std::move(preconditioner)),
+      m_sweep(patch, options.balance),
+      m_options(options),
+      m_deadline(deadline)
+  {}
+
   /// on the rectangle of the energy
   void measure_stretch(Minimized_map& map) const
   {
@@ -171,7 +184,7 @@ private:
   /// sets the direction of descent and returns the slope along it; forgets the memory when that leads upwards
   double find_direction(Secant_memory& memory, Workspace& workspace) const
   {
-    const auto precondition = [&](Uv_coordinates& x) { m_preconditioner.apply(workspace.factors, x); };
+    const auto precondition = [&](Uv_coordinates& x) { m_preconditioner.apply(workspace.preconditioner, x); };
     workspace.direction = -workspace.gradient;
     memory.apply(precondition, workspace.direction);
     double slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
@@ -195,10 +208,10 @@ private:
     for(int i = 0; i < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && fix_blocked(uv, workspace.direction, moves); ++i) {
       goes_round = true;
       memory.clear();
-      if(!m_preconditioner.factorize(m_energy, uv, moves, workspace.factors))
+      if(!m_preconditioner.factorize(m_energy, uv, moves, workspace.preconditioner))
         break;
       workspace.direction = moves.select(-workspace.gradient, 0.);
-      m_preconditioner.apply(workspace.factors, workspace.direction);
+      m_preconditioner.apply(workspace.preconditioner, workspace.direction);
       slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
     }
     return goes_round;
@@ -241,7 +254,7 @@ private:
   }
 
   Balanced_energy m_energy;
-  Axis_preconditioner m_preconditioner;
+  Multigrid_preconditioner m_preconditioner;
   Vertex_sweep m_sweep;
   Balanced_minimization m_options;
   Deadline m_deadline;

@@ -59,11 +59,14 @@ public:
     coarse_options.balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
     coarse_options.maximum_iterations = Minimizer_numbers::COARSE_ITERATIONS;
     m_coarse_balance = coarse_options.balance;
-    m_minimizers.push_back(std::make_unique<Balanced_minimizer>(patch, options, deadline));
-    coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT}, coarse_options);
+    coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT});
     m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
     m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
-    coarsen({std::nullopt}, coarse_options);
+    m_rough_level = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
+    coarsen({std::nullopt});
+    m_minimizers.resize(m_patches.size());
+    for(std::size_t level = m_patches.size(); level-- > 0;)
+      m_minimizers[level] = make_minimizer_of(level, level == 0 ? options : coarse_options);
   }
 
   /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
@@ -110,8 +113,8 @@ public:
   /// the patch whose maps are sketches
   std::size_t sketch_level() const { return m_sketch_level; }
 
-  /// a patch whose maps cost little; the finest of them
-  std::size_t rough_level() const { return m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH); }
+  /// the patch on which corners are moved: its maps cost little
+  std::size_t rough_level() const { return m_rough_level; }
 
   /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
   /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
@@ -130,8 +133,10 @@ public:
   /// continues with a map of `minimize()`, to the tolerance of the map that is delivered, and settles it
   Minimized_map finish(Minimized_map map) const
   {
-    Balanced_minimizer::Workspace workspace;
-    map = m_minimizers[0]->minimize(std::move(map), m_options.tolerance, workspace);
+    if(!is_large(0)) {
+      Balanced_minimizer::Workspace workspace;
+      map = m_minimizers[0]->minimize(std::move(map), m_options.tolerance, workspace);
+    }
     m_minimizers[0]->settle(map);
     return map;
   }
@@ -168,21 +173,37 @@ private:
   };
 
   /// adds patches as long as they get coarser, and a start from the last of them
-  void coarsen(Patch_sequence::Shapes_kept shapes_kept, const Balanced_minimization& options)
+  void coarsen(Patch_sequence::Shapes_kept shapes_kept)
   {
     m_patches.coarsen(shapes_kept);
-    while(m_minimizers.size() < m_patches.size())
-      m_minimizers.push_back(std::make_unique<Balanced_minimizer>(m_patches[m_minimizers.size()], options, m_deadline));
     const std::size_t coarsest = m_patches.size() - 1;
     if(m_starts.empty() || m_starts.back().level < coarsest)
       m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], m_options.start,
                                                                         make_direct_solver, m_deadline)});
   }
 
+  bool is_large(std::size_t level) const
+  {
+    return level + 1 < m_patches.size() && m_patches[level].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED;
+  }
+
+  /// \pre those of the coarser patches are made
+  std::unique_ptr<Balanced_minimizer> make_minimizer_of(std::size_t level, const Balanced_minimization& options) const
+  {
+    if(is_large(level))
+      return std::make_unique<Balanced_minimizer>(m_patches[level], m_patches.coarse(level + 1),
+                                                  *m_minimizers[level + 1], options, m_deadline);
+    return std::make_unique<Balanced_minimizer>(m_patches[level], options, m_deadline);
+  }
+
   void prepare(Workspace& workspace) const
   {
-    while(workspace.levels.size() < m_minimizers.size())
-      workspace.levels.emplace_back();
+    workspace.levels.resize(m_minimizers.size());
+    for(std::size_t level = 0; level < m_minimizers.size(); ++level) {
+      auto& memory = workspace.levels[level].preconditioner;
+      memory.is_set = false;
+      memory.coarser = level + 1 < m_minimizers.size() ? &workspace.levels[level + 1].preconditioner : nullptr;
+    }
     workspace.starts.resize(m_starts.size());
   }
 
@@ -258,9 +279,13 @@ private:
   {
     const Balanced_minimizer& minimizer = *m_minimizers[level];
     const long relaxation = minimizer.relax(uv);
-    Minimized_map map = minimizer.minimize(
-        {std::move(uv), {}, {}}, m_options.search_tolerance,
-        (std::min)(m_options.maximum_iterations, Minimizer_numbers::SEARCH_ITERATIONS), workspace.levels[level]);
+    // of a large patch few maps are made, and the coarser ones are at hand now: the first minimization is the last
+    const bool is_last = level == 0 && is_large(0);
+    const unsigned int most = is_last ? m_options.maximum_iterations
+                                      : (std::min)(m_options.maximum_iterations, Minimizer_numbers::SEARCH_ITERATIONS);
+    Minimized_map map =
+        minimizer.minimize({std::move(uv), {}, {}}, is_last ? m_options.tolerance : m_options.search_tolerance, most,
+                           workspace.levels[level]);
     map.work += relaxation + descent.work;
     return map;
   }
@@ -272,7 +297,8 @@ private:
   Deadline m_deadline;
   double m_coarse_balance = 0;
   std::size_t m_warm_level = 0;   // of the patch whose maps are warm starts
-  std::size_t m_sketch_level = 0; // of the patch whose maps are compared
+  std::size_t m_sketch_level = 0; // of the patch on which candidates are compared
+  std::size_t m_rough_level = 0;  // of the patch on which corners are moved
 };
 
 } // namespace internal

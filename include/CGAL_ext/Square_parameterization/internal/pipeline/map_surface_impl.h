@@ -159,7 +159,7 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   report.minimization = outcome.map.report;
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(outcome.map.report);
-  if(!outcome.report.best_candidate)
+  if(outcome.map.uv.rows() == 0)
     refuse_without_map(outcome.report);
   return outcome;
 }

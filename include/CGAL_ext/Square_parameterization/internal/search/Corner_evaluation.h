@@ -10,6 +10,7 @@
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Worker_pool.h>
 
+#include <algorithm>
 #include <functional>
 #include <mutex>
 #include <utility>
@@ -35,9 +36,15 @@ public:
   {}
 
   /// the objectives of choices, which are positions in the border loop, in their order; infinite for one without a map.
-  /// Throws `Search_cancelled` when it is not to continue.
+  /// Throws `Unmappable` for one that is out of order, and `Search_cancelled` when it is not to continue.
   std::vector<double> operator()(const std::vector<Corners>& choices)
   {
+    for(const Corners& corners : choices)
+      if(!are_border_positions(corners))
+        throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
+                         "the corner search asked for corners that are not four border vertices in counter-clockwise "
+                         "order");
+    m_number_of_choices += choices.size();
     std::vector<Minimized_map> maps(choices.size());
     m_team(choices.size(), [&](std::size_t i) {
       if(may_continue())
@@ -56,11 +63,20 @@ public:
     return objectives;
   }
 
+  /// the number of choices evaluated
+  std::size_t number_of_choices() const { return m_number_of_choices; }
+
   const Minimized_map& best_map() const { return m_best_map; }
   const Corners& best_corners() const { return m_best_corners; }
 
 private:
   static constexpr int MOST_TASKS = 128; // at a time: a spread of choices
+
+  bool are_border_positions(const Corners& corners) const
+  {
+    const auto [least, largest] = std::minmax_element(corners.begin(), corners.end());
+    return *least >= 0 && *largest < m_loop.size() && are_corners_in_order(corners, m_loop.size());
+  }
 
   bool may_continue()
   {
@@ -81,6 +97,7 @@ private:
   std::function<bool()> m_may_continue;
   std::mutex m_mutex; // of the callback
   bool m_is_cancelled = false;
+  std::size_t m_number_of_choices = 0;
   Minimized_map m_best_map;
   Corners m_best_corners{};
 };

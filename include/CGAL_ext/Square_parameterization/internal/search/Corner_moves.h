@@ -73,17 +73,27 @@ public:
     return choices;
   }
 
-  /// moves corners downhill
+  /// moves corners downhill. All moves are tried at the first step, at the last, and wherever one of them led down; where
+  /// none did, the steps between only go where the parabolas through the three objectives to and fro have their lowest
+  /// points.
   /// \param first_step in border vertices
   Choice descend(Corners corners, int first_step)
   {
     Choice best = compare({corners}).front();
-    for(int step = (std::max)(1, first_step); step > 0;) {
-      const std::vector<Choice> choices = compare(moved(best.corners, step));
-      if(!choices.empty() && choices.front().objective < best.objective)
+    int step = (std::max)(1, first_step);
+    std::vector<Move> moves = all_moves();
+    while(step > 0) {
+      const std::vector<Choice> choices = compare(moved(best.corners, moves, step));
+      if(!choices.empty() && choices.front().objective < best.objective) {
         best = choices.front();
-      else
-        step /= 2;
+        moves = all_moves();
+        continue;
+      }
+      const bool are_all = moves.size() == all_moves().size();
+      moves = are_all ? moves_to_bottoms(best, step) : moves;
+      step /= 2;
+      if(step == 1)
+        moves = all_moves();
     }
     return best;
   }
@@ -124,43 +134,63 @@ private:
           corners[k] = v;
         }
     }
-    return is_in_order(corners) ? std::optional<Corners>(corners) : std::nullopt;
+    return are_corners_in_order(corners, size()) ? std::optional<Corners>(corners) : std::nullopt;
   }
 
-  bool is_in_order(const Corners& corners) const
+  /// how many steps each corner goes
+  typedef std::array<int, 4> Move;
+
+  /// a corner each, all, and opposite pairs, which go together or against each other; to and fro
+  static const std::vector<Move>& all_moves()
   {
-    int steps = 0;
-    for(int k = 0; k < 4; ++k) {
-      const int side = (corners[(k + 1) % 4] - corners[k] + size()) % size();
-      steps += side;
-      if(side == 0)
-        return false;
+    static const std::vector<Move> moves{{1, 1, 1, 1},   {-1, -1, -1, -1}, {1, 0, 1, 0},  {-1, 0, -1, 0}, {0, 1, 0, 1},
+                                         {0, -1, 0, -1}, {1, 0, -1, 0},    {-1, 0, 1, 0}, {0, 1, 0, -1},  {0, -1, 0, 1},
+                                         {1, 0, 0, 0},   {-1, 0, 0, 0},    {0, 1, 0, 0},  {0, -1, 0, 0},  {0, 0, 1, 0},
+                                         {0, 0, -1, 0},  {0, 0, 0, 1},     {0, 0, 0, -1}};
+    return moves;
+  }
+
+  /// those on the side of which the parabola of a way to and fro is lowest, at some distance
+  /// \pre all ways were tried with this step, and none led down
+  std::vector<Move> moves_to_bottoms(const Choice& best, int step) const
+  {
+    std::vector<Move> result;
+    for(std::size_t i = 0; i < all_moves().size(); i += 2) {
+      const double rise_fro = rise(best, all_moves()[i + 1], step), rise_to = rise(best, all_moves()[i], step);
+      const double bottom = (rise_fro - rise_to) / (2 * (rise_fro + rise_to)); // in steps
+      if(bottom >= LEAST_OFFSET)
+        result.push_back(all_moves()[i]);
+      else if(bottom <= -LEAST_OFFSET)
+        result.push_back(all_moves()[i + 1]);
     }
-    return steps == size();
-  }
-
-  std::vector<Corners> moved(const Corners& corners, int step) const
-  {
-    static const std::array<std::array<int, 4>, 9> directions{{{1, 1, 1, 1},
-                                                               {1, 0, 1, 0},
-                                                               {0, 1, 0, 1},
-                                                               {1, 0, -1, 0},
-                                                               {0, 1, 0, -1},
-                                                               {1, 0, 0, 0},
-                                                               {0, 1, 0, 0},
-                                                               {0, 0, 1, 0},
-                                                               {0, 0, 0, 1}}};
-    std::vector<Corners> result;
-    for(const auto& direction : directions)
-      for(int sign : {-1, 1}) {
-        Corners next = corners;
-        for(int k = 0; k < 4; ++k)
-          next[k] = (corners[k] + sign * step * direction[k] % size() + size()) % size();
-        if(is_in_order(next))
-          result.push_back(next);
-      }
     return result;
   }
+
+  /// what a move costs; a lot where there is no such map
+  double rise(const Choice& best, const Move& move, int step) const
+  {
+    const auto known = m_known.find(after(best.corners, move, step));
+    const double objective = known == m_known.end() ? 2 * best.objective : known->second;
+    return (std::min)(objective, 2 * best.objective) - best.objective;
+  }
+
+  Corners after(Corners corners, const Move& move, int step) const
+  {
+    for(int k = 0; k < 4; ++k)
+      corners[k] = (corners[k] + (step * move[k]) % size() + size()) % size();
+    return corners;
+  }
+
+  std::vector<Corners> moved(const Corners& corners, const std::vector<Move>& moves, int step) const
+  {
+    std::vector<Corners> result;
+    for(const Move& move : moves)
+      if(const Corners next = after(corners, move, step); are_corners_in_order(next, size()))
+        result.push_back(next);
+    return result;
+  }
+
+  static constexpr double LEAST_OFFSET = 0.2; // of a lowest point, in steps: half a step of the next ones, nearly
 
   std::vector<double> m_lengths;
   Objective_of m_objective_of;

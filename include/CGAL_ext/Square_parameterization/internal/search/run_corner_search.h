@@ -15,10 +15,11 @@ namespace CGAL_ext {
 namespace internal {
 
 /// lets a strategy, which may be a user's, ask for candidates until it is done or the search is cancelled. Throws
-/// `Unmappable` when it asks for one that does not exist, and when it asks for none.
-/// \param problem what the strategy sees; its objectives come from `evaluation`
+/// `Unmappable` when it asks for one that does not exist, and when it asks for nothing.
+/// \param problem what the strategy sees
+/// \param has_asked tells whether something was mapped, settled for, or cancelled
 inline void run_corner_search(const Corner_search& search, Corner_search_problem problem,
-                              const Candidate_evaluation& evaluation)
+                              const std::function<bool()>& has_asked)
 {
   if(problem.corner_distances)
     problem.corner_distances = [distances = std::move(problem.corner_distances),
@@ -31,7 +32,7 @@ inline void run_corner_search(const Corner_search& search, Corner_search_problem
   } catch(const Search_cancelled&) {
     return; // the best so far is delivered, and the report says so
   }
-  if(evaluation.is_untouched())
+  if(!has_asked())
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                      "the corner search asked for no candidate");
 }

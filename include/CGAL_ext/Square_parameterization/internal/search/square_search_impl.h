@@ -36,7 +36,8 @@ inline std::vector<double> corner_distances(const Uv_coordinates& border_uv)
   return distances;
 }
 
-/// one search for the corners of one patch: evaluates candidates, and sketches where the minimizer has them
+/// one search for the corners of one patch: what the strategy asks for is evaluated, candidates, sketches, and corners of
+/// their own; then the corners move, and the best map is finished
 class Square_search
 {
 public:
@@ -52,87 +53,126 @@ public:
       m_threads(number_of_search_threads(options.number_of_threads, patch.number_of_vertices())),
       m_evaluation(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
-          options.visitor, [this](double share) { return may_continue(share, m_options.deadline); })
+          options.visitor, [this](double share) { return may_continue(share, m_options.deadline); }),
+      m_corner_maps([this] { return m_minimizer.make_worker(); }, patch, m_threads,
+                    [this] { return may_continue(1, m_options.deadline); })
   {
-    if(minimizer.has_sketches())
+    if(minimizer.has_sketches()) {
       m_sketches.emplace(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
           nullptr, [this](double) { return may_continue(0, m_sketch_deadline); });
+      m_corner_sketches.emplace([this] { return m_minimizer.make_sketching_worker(); }, patch, m_threads,
+                                [this] { return may_compare_corners(); });
+    }
+    if(minimizer.has_rough_maps())
+      m_rough_maps.emplace([this] { return m_minimizer.make_rough_worker(); }, patch, m_threads,
+                           [this] { return may_compare_corners(); });
   }
 
   Search_outcome operator()()
   {
     if(m_options.visitor != nullptr)
       m_options.visitor->start_search(static_cast<std::size_t>(m_number_of_candidates));
-    run_corner_search(m_search, problem(), m_evaluation);
-    if(m_evaluation.best_map().uv.rows() == 0 && m_sketches && has_passed(m_sketch_deadline))
-      evaluate_best_sketch();
+    ask(problem());
+    if(!has_map() && m_sketches && has_passed(m_sketch_deadline))
+      m_settled_for = m_sketches->report().best_candidate; // the time for sketches ended before the search did
+    const bool is_moved = m_options.moves_corners && m_rough_maps && move_corners();
+    if(m_settled_for && !is_moved)
+      map_settled_for();
     m_evaluation.release_workers();
-    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report()};
-    if(outcome.report.best_candidate)
-      outcome.report.corners = border_of(*outcome.report.best_candidate).corners;
-    if(m_options.moves_corners && m_minimizer.has_rough_maps() && outcome.report.best_candidate &&
-       !outcome.report.is_cancelled)
-      move_corners(outcome);
     if(m_options.visitor != nullptr)
       m_options.visitor->start_minimization();
+    Search_outcome outcome = best();
     outcome.map = m_minimizer.finish(std::move(outcome.map));
-    complete(outcome);
+    outcome.report.is_cancelled |= outcome.map.report.stop_reason == Stop_reason::DEADLINE;
+    if(outcome.map.uv.rows() > 0)
+      outcome.report.best_objective = outcome.map.report.objective;
     if(m_options.visitor != nullptr)
       m_options.visitor->end_search(outcome.report);
     return outcome;
   }
 
 private:
+  static constexpr double CERTAIN = 1e-3; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
+
   bool may_continue(double share, const Deadline& deadline) const
   {
     return !has_passed(deadline) && (!m_options.callback || m_options.callback(share));
   }
 
-  /// when sketches have taken their share of the time, and the search has ended for it, the best of them tells which
-  /// candidate is mapped
-  void evaluate_best_sketch()
+  /// while nothing is mapped, time is left for that
+  bool may_compare_corners() const { return may_continue(1, has_map() ? m_options.deadline : m_sketch_deadline); }
+
+  bool has_map() const { return m_evaluation.best_map().uv.rows() > 0 || m_corner_maps.best_map().uv.rows() > 0; }
+
+  void ask(Corner_search_problem problem)
   {
-    const std::optional<int> best = m_sketches->report().best_candidate;
-    if(!best)
-      return;
-    try {
-      m_evaluation({*best});
-    } catch(const Search_cancelled&) { // there is no time left at all, or the callback wants no more
-    }
+    run_corner_search(m_search, std::move(problem), [this] {
+      return m_settled_for || !m_evaluation.is_untouched() || m_corner_maps.number_of_choices() > 0;
+    });
   }
 
-  /// moves the four corners on their own on a rough map, from those of the search and, where the rectangle is not the
-  /// square, from others; what comes out is compared on the patch itself
-  void move_corners(Search_outcome& outcome)
+  /// maps the candidate that was settled for; when it has no map, sketches mislead, and the strategy is asked again
+  void map_settled_for()
   {
-    const int first_step = static_cast<int>(m_patch.border.size()) / 8;
-    Corner_evaluation rough_maps([this] { return m_minimizer.make_rough_worker(); }, m_patch, m_threads, may_go_on());
-    Corner_evaluation maps([this] { return m_minimizer.make_worker(); }, m_patch, m_threads, may_go_on());
-    Corner_moves moves(m_patch.border_lengths, [&](const auto& choices) { return rough_maps(choices); });
     try {
-      std::vector<Corners> starts{outcome.report.corners};
-      if(outcome.map.aspect != 1)
-        for(const Corner_moves::Choice& choice : moves.best_of_spread())
-          starts.push_back(choice.corners);
-      std::set<Corners> ends;
-      for(const Corners& start : starts)
-        ends.insert(moves.descend(start, first_step).corners);
-      ends.erase(outcome.report.corners);
-      maps({ends.begin(), ends.end()});
+      m_evaluation({*m_settled_for});
     } catch(const Search_cancelled&) {
-      outcome.report.is_cancelled = true;
+      return; // there is no time left at all, or the callback wants no more
     }
-    if(maps.best_map().report.objective < outcome.map.report.objective) {
-      outcome.report.corners = maps.best_corners();
-      outcome.map = maps.best_map();
-    }
-    outcome.report.corner_moves = moves.evaluations();
+    if(has_map())
+      return;
+    m_settled_for.reset();
+    ask(without_sketches(problem()));
   }
 
-  std::function<bool()> may_go_on() const
+  /// moves the four corners on their own on rough maps, from those of the best candidate and, where the rectangle is not
+  /// the square, from others, and maps for what comes out. False when the best candidate may still be better.
+  bool move_corners()
   {
-    return [this] { return may_continue(1, m_options.deadline); };
+    const std::optional<int> candidate = m_settled_for ? m_settled_for : m_evaluation.report().best_candidate;
+    if(!candidate || m_evaluation.report().is_cancelled)
+      return false;
+    const Corners start = border_of(*candidate).corners;
+    try {
+      std::vector<Corners> ends = ends_of_moves(start);
+      const bool is_certain = m_corner_sketches && keep_best_sketch(start, ends);
+      m_corner_maps(ends);
+      return is_certain && has_map();
+    } catch(const Search_cancelled&) {
+      m_are_moves_cancelled = true;
+      return false;
+    }
+  }
+
+  /// where the corners come to rest, but for the start itself
+  std::vector<Corners> ends_of_moves(const Corners& start)
+  {
+    Corner_moves moves(m_patch.border_lengths, [&](const auto& choices) { return (*m_rough_maps)(choices); });
+    moves.compare({start});
+    std::vector<Corners> starts{start};
+    if(m_rough_maps->best_map().aspect != 1)
+      for(const Corner_moves::Choice& choice : moves.best_of_spread())
+        starts.push_back(choice.corners);
+    std::set<Corners> ends;
+    for(const Corners& corners : starts)
+      ends.insert(moves.descend(corners, static_cast<int>(m_patch.border.size()) / 8).corners);
+    ends.erase(start);
+    return {ends.begin(), ends.end()};
+  }
+
+  /// keeps the choice with the best sketch, if that is better than the one of the start, and tells whether it is better
+  /// for certain
+  bool keep_best_sketch(const Corners& start, std::vector<Corners>& choices)
+  {
+    choices.push_back(start);
+    const std::vector<double> sketched = (*m_corner_sketches)(choices);
+    const auto least = std::min_element(sketched.begin(), sketched.end());
+    const Corners best = choices[least - sketched.begin()];
+    choices.clear();
+    if(best != start)
+      choices.push_back(best);
+    return *least < (1 - CERTAIN) * sketched.back();
   }
 
   Square_border border_of(int candidate) const
@@ -154,12 +194,23 @@ private:
     problem.number_of_candidates = m_number_of_candidates;
     problem.number_of_vertices = m_patch.number_of_vertices();
     problem.number_of_faces = m_patch.number_of_faces();
+    problem.border_lengths = m_patch.border_lengths;
     problem.objective_of = [this](const std::vector<int>& candidates) { return m_evaluation(candidates); };
     problem.objective_from_neighbors = [this](const std::vector<int>& candidates) {
       return m_evaluation(candidates, true);
     };
-    if(m_sketches)
+    problem.objective_of_corners = [this](const std::vector<Corners>& choices) { return m_corner_maps(choices); };
+    if(m_rough_maps)
+      problem.rough_objective_of_corners = [this](const std::vector<Corners>& choices) {
+        return (*m_rough_maps)(choices);
+      };
+    if(m_sketches) {
       problem.sketched_objective_of = [this](const std::vector<int>& candidates) { return (*m_sketches)(candidates); };
+      problem.settle_for = [this](int candidate) {
+        check_candidate(candidate, m_number_of_candidates);
+        m_settled_for = candidate;
+      };
+    }
     problem.work = [this] {
       const long work = m_evaluation.work() + (m_sketches ? m_sketches->work() : 0);
       return double(work) / m_patch.number_of_vertices();
@@ -169,18 +220,36 @@ private:
     return problem;
   }
 
-  /// what the evaluation does not know: the sketches, the delivered map, and the corners
-  void complete(Search_outcome& outcome) const
+  static Corner_search_problem without_sketches(Corner_search_problem problem)
   {
+    problem.sketched_objective_of = {};
+    problem.settle_for = {};
+    return problem;
+  }
+
+  /// the best map so far, and how it was found
+  Search_outcome best() const
+  {
+    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report()};
     Search_report& report = outcome.report;
+    if(m_settled_for && !report.best_candidate && has_map())
+      report.best_candidate = m_settled_for;
+    if(report.best_candidate)
+      report.corners = border_of(*report.best_candidate).corners;
+    if(m_corner_maps.best_map().report.objective < outcome.map.report.objective) {
+      outcome.map = m_corner_maps.best_map();
+      report.corners = m_corner_maps.best_corners();
+    }
+    report.is_cancelled |= m_are_moves_cancelled;
+    if(m_rough_maps)
+      report.corner_moves = m_rough_maps->number_of_choices();
     if(m_sketches) {
       const Search_report sketching = m_sketches->report();
       report.sketches = sketching.evaluations;
+      report.sketched_curve = sketching.curve;
       report.is_cancelled |= sketching.is_cancelled;
     }
-    report.is_cancelled |= outcome.map.report.stop_reason == Stop_reason::DEADLINE;
-    if(report.best_candidate)
-      report.best_objective = outcome.map.report.objective;
+    return outcome;
   }
 
   const Patch& m_patch;
@@ -192,7 +261,12 @@ private:
   const int m_number_of_candidates;
   const unsigned int m_threads;
   Candidate_evaluation m_evaluation;
-  std::optional<Candidate_evaluation> m_sketches;
+  Corner_evaluation m_corner_maps;
+  std::optional<Candidate_evaluation> m_sketches;     // of candidates
+  std::optional<Corner_evaluation> m_corner_sketches; // of corners of their own
+  std::optional<Corner_evaluation> m_rough_maps;
+  std::optional<int> m_settled_for; // a candidate that is known by its sketch alone
+  bool m_are_moves_cancelled = false;
 };
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer,

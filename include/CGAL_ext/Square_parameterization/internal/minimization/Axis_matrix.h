@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_AXIS_MATRIX_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_AXIS_MATRIX_H
+
+#include <CGAL_ext/Square_parameterization/internal/energy/Balanced_energy.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/sparse_pattern.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Number_per_axis.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the Hessian of the balanced energy without its mixed derivatives by an u and a v: two matrices with one unknown per
+/// vertex each, of which the upper triangles are kept.
+///
+/// Coordinates that may not move have a unit row, so that one sparsity pattern serves every border.
+class Axis_matrix
+{
+public:
+  typedef Eigen::SparseMatrix<Number_per_axis> Matrix;
+  typedef Eigen::Matrix<Number_per_axis, Eigen::Dynamic, 1> Vector;
+
+  /// \param rank #V: the row of each vertex
+  Axis_matrix(const Patch& patch, std::vector<int> rank) : m_patch(patch), m_rank(std::move(rank))
+  {
+    const int n = patch.number_of_vertices();
+    std::vector<Eigen::Triplet<double>> entries;
+    for(int i = 0; i < n; ++i)
+      entries.emplace_back(i, i, 1.);
+    for(const auto& [a, b] : patch.edges)
+      entries.emplace_back((std::min)(m_rank[a], m_rank[b]), (std::max)(m_rank[a], m_rank[b]), 1.);
+    m_pattern.resize(n, n);
+    m_pattern.setFromTriplets(entries.begin(), entries.end());
+    m_pattern.makeCompressed();
+    m_slots.reserve(patch.triangles.size());
+    for(const auto& t : patch.triangles) {
+      m_slots.emplace_back();
+      for(int k = 0; k < 3; ++k) {
+        const int i = m_rank[t[k]], j = m_rank[t[(k + 1) % 3]];
+        m_slots.back()[k] = slot_of(m_pattern, i, i);
+        m_slots.back()[3 + k] = slot_of(m_pattern, (std::min)(i, j), (std::max)(i, j));
+      }
+    }
+  }
+
+  const Patch& patch() const { return m_patch; }
+
+  /// the row of vertex \p v
+  int rank(int v) const { return m_rank[v]; }
+
+  /// a matrix to be set, with all its places
+  Matrix make() const { return m_pattern.cast<Number_per_axis>(); }
+
+  /// sets a matrix to the Hessian at \p uv
+  void set(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
+           Matrix& matrix) const
+  {
+    const Eigen::RowVector2d to_rectangle = energy.scale(uv);
+    Number_per_axis* const values = matrix.valuePtr();
+    std::fill_n(values, matrix.nonZeros(), Number_per_axis());
+    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
+      const Balanced_energy::Hessian_blocks blocks = energy.hessian_blocks(f, uv, to_rectangle);
+      const auto& t = m_patch.triangles[f];
+      for(int axis = 0; axis < 2; ++axis)
+        for(int k = 0; k < 3; ++k) {
+          const int next = (k + 1) % 3;
+          if(!is_free(t[k], axis))
+            continue;
+          values[m_slots[f][k]][axis] += blocks.of_axis[axis](k, k);
+          if(is_free(t[next], axis))
+            values[m_slots[f][3 + k]][axis] += blocks.of_axis[axis](k, next);
+        }
+    }
+    for(int v = 0; v < m_patch.number_of_vertices(); ++v)
+      for(int axis = 0; axis < 2; ++axis)
+        if(!is_free(v, axis))
+          values[slot_of(m_pattern, m_rank[v], m_rank[v])][axis] = 1;
+  }
+
+private:
+  const Patch& m_patch;
+  std::vector<int> m_rank;
+  Sparse_matrix m_pattern;                 // upper triangle
+  std::vector<std::array<int, 6>> m_slots; // #F: places of the entries (k, k), and then (k, k + 1), of a triangle
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_AXIS_MATRIX_H

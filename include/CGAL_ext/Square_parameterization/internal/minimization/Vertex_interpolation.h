@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_INTERPOLATION_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_INTERPOLATION_H
+
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// how vertices that a coarse patch lacks follow those that it has: each moves with the mean of the ring that it had when
+/// it was taken out, with mean value weights; a border vertex with its neighbors on the border, by length. Vertices of
+/// the ring that were taken out later follow others themselves.
+class Vertex_interpolation
+{
+public:
+  Vertex_interpolation(const Patch& fine, const Coarse_patch& coarse) : m_kept(coarse.fine_vertex), m_first(1, 0)
+  {
+    for(const Coarse_patch::Removal& removal : coarse.removals) {
+      m_removed.push_back(removal.vertex);
+      add_weights(fine, removal);
+      m_first.push_back(m_neighbors.size());
+    }
+  }
+
+  /// sets \p fine (#V by 2) to what \p coarse (#V of the coarse patch by 2) becomes
+  void prolong(const Uv_coordinates& coarse, Uv_coordinates& fine) const
+  {
+    for(std::size_t v = 0; v < m_kept.size(); ++v)
+      fine.row(m_kept[v]) = coarse.row(v);
+    for(std::size_t i = m_removed.size(); i-- > 0;) {
+      Eigen::RowVector2d mean(0, 0);
+      for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+        mean += m_weights[k] * fine.row(m_neighbors[k]);
+      fine.row(m_removed[i]) = mean;
+    }
+  }
+
+  /// the transposed of `prolong()`
+  /// \param fine (#V by 2) is overwritten
+  void restrict_to_coarse(Uv_coordinates& fine, Uv_coordinates& coarse) const
+  {
+    for(std::size_t i = 0; i < m_removed.size(); ++i)
+      for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+        fine.row(m_neighbors[k]) += m_weights[k] * fine.row(m_removed[i]);
+    coarse.resize(m_kept.size(), 2);
+    for(std::size_t v = 0; v < m_kept.size(); ++v)
+      coarse.row(v) = fine.row(m_kept[v]);
+  }
+
+private:
+  void add_weights(const Patch& fine, const Coarse_patch::Removal& removal)
+  {
+    const Eigen::Vector3d& center = fine.points[removal.vertex];
+    const std::vector<int>& ring = removal.ring;
+    std::vector<double> weights(ring.size(), 0.);
+    const auto distance = [&](std::size_t i) { return (fine.points[ring[i]] - center).norm(); };
+    if(removal.is_on_border()) {
+      weights.front() = distance(ring.size() - 1);
+      weights.back() = distance(0);
+    } else
+      for(std::size_t i = 0; i < ring.size(); ++i) {
+        const std::size_t next = (i + 1) % ring.size();
+        const Eigen::Vector3d a = fine.points[ring[i]] - center, b = fine.points[ring[next]] - center;
+        const double half_tangent = a.cross(b).norm() / (a.norm() * b.norm() + a.dot(b));
+        weights[i] += half_tangent / a.norm();
+        weights[next] += half_tangent / b.norm();
+      }
+    double sum = 0;
+    for(double weight : weights)
+      sum += weight;
+    const bool is_sound = std::isfinite(sum) && sum > 0;
+    for(std::size_t i = 0; i < ring.size(); ++i)
+      if(!is_sound || weights[i] > 0) {
+        m_neighbors.push_back(ring[i]);
+        m_weights.push_back(is_sound ? weights[i] / sum : 1 / double(ring.size()));
+      }
+  }
+
+  std::vector<int> m_kept;          // per vertex of the coarse patch, the one of the fine patch
+  std::vector<int> m_removed;       // vertices of the fine patch, in the order in which they were taken out
+  std::vector<std::size_t> m_first; // the neighbors of the i-th of them are first[i], ..., first[i + 1] - 1
+  std::vector<int> m_neighbors;
+  std::vector<double> m_weights;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_INTERPOLATION_H

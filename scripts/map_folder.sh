@@ -47,7 +47,7 @@ plan=$(python3 "$tools/plan_folder.py" "$square_map" "$in" "$out" --machines "$m
 prepare_jobs "$square_map" "$out"
 words_of "$square_map" "$in" "$out"
 while read -r _ threads jobs percent memory <&3; do
-  awk -v threads="$threads" '$1 == "mesh" && $2 == threads { print $3 }' <<< "$plan" |
+  awk -v threads="$threads" '$1 == "meshes" && $2 == threads { print $3 }' <<< "$plan" |
     run_jobs "$jobs" "$percent" "$memory" map_mesh.py "${words[@]}" "$threads"
 done 3< <(grep '^pass ' <<< "$plan")
 

@@ -1,20 +1,19 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The CGAL_ext authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps one mesh of a folder: map_mesh.py PROGRAM IN OUT THREADS MESH, words as meshes.py has them.
+"""Maps meshes of a folder: map_mesh.py PROGRAM IN OUT THREADS MESH,..., words as meshes.py has them.
 
-OUT gets a folder of the name of the mesh, all at once: the map, the pages and report.json, or log.txt alone for a mesh
+OUT gets a folder of the name of each mesh, all at once: the map, the pages and report.json, or log.txt alone for a mesh
 without a map. What differs from run to run, time and memory, is in the record of the mesh and nowhere else. Whoever
 comes second, after a kill or on another machine, waits for the first and finds the mesh mapped.
 
-The status is 0 when the mesh has a record, also one of a failure; GNU parallel tries again otherwise.
+The status is 0 when all meshes have a record, also one of a failure; GNU parallel tries again otherwise.
 
 With --check PROGRAM OUT it tells instead which program this machine has, and which settings it finds in OUT.
 """
 import hashlib
 import json
 import os
-import resource
 import shlex
 import shutil
 import signal
@@ -37,11 +36,13 @@ def read_json(path):
 def run(command, source, lock):
     """runs square_map in the folder of the meshes; returns its status, its messages, and what it took"""
     start = time.monotonic()
-    finished = subprocess.run(command, cwd=source, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, pass_fds=[lock], check=False)
-    kilobytes = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
-    return finished.returncode, finished.stderr, {'seconds': time.monotonic() - start, 'memory_mib': kilobytes / 1024,
-                                                  'host': socket.gethostname()}
+    with subprocess.Popen(command, cwd=source, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, pass_fds=[lock]) as process:
+        messages = process.stderr.read()
+        _, ended, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(ended)
+    return process.returncode, messages, {'seconds': time.monotonic() - start, 'memory_mib': usage.ru_maxrss / 1024,
+                                          'host': socket.gethostname()}
 
 
 def message_of(status, messages):
@@ -110,6 +111,17 @@ def map_mesh(program, source, out, threads, mesh, lock):
     return {**record, 'measured': measured}
 
 
+def keep_mapped(program, source, out, threads, mesh):
+    """maps a mesh that is not mapped yet; false when it was stopped"""
+    with Record(out, mesh) as record:
+        if is_mapped(record.read(), source, out, mesh):
+            return True
+        result = map_mesh(program, source, out, threads, mesh, record.file.fileno())
+        if result is not None:
+            record.write(result)
+    return result is not None
+
+
 def check(program, out):
     with open(program, 'rb') as file:
         digest = hashlib.sha256(file.read()).hexdigest()
@@ -122,16 +134,10 @@ def main():
     if sys.argv[1] == '--check':
         check(*(name_of(word) for word in sys.argv[2:]))
         return 0
-    program, source, out, threads, mesh = (name_of(word) for word in sys.argv[1:])
-    mesh = os.path.normpath(mesh)
-    with Record(out, mesh) as record:
-        if is_mapped(record.read(), source, out, mesh):
-            return 0
-        result = map_mesh(program, source, out, threads.decode(), mesh, record.file.fileno())
-        if result is None:
-            return 1
-        record.write(result)
-    return 0
+    program, source, out, threads = (name_of(word) for word in sys.argv[1:5])
+    meshes = [os.path.normpath(name_of(word)) for word in sys.argv[5].split(',')]
+    ends = [keep_mapped(program, source, out, threads.decode(), mesh) for mesh in meshes]
+    return 0 if all(ends) else 1
 
 
 if __name__ == '__main__':

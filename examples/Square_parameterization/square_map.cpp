@@ -2,20 +2,13 @@
 //
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
-#include "include/square_map/Output_set.h"
-#include "include/square_map/Progress.h"
-#include "include/square_map/draw_thumbnail.h"
+#include "include/square_map/add_outputs.h"
 #include "include/square_map/known_curve.h"
-#include "include/square_map/map_first_candidate.h"
 #include "include/square_map/messages.h"
 #include "include/square_map/out_of_memory.h"
-#include "include/square_map/report.h"
+#include "include/square_map/sample_map.h"
 #include "include/square_map/signals.h"
 #include "include/square_map/spare_address_space.h"
-#include "include/square_map/write_glb.h"
-#include "include/square_map/write_grid_mesh.h"
-#include "include/square_map/write_page.h"
-#include "include/square_map/write_svg.h"
 
 #include <CGAL/version_macros.h>
 
@@ -40,94 +33,11 @@ enum Exit_status
   NO_ONE_TO_ONE_MAP = 5
 };
 
-/// writes the map that `-o` names
-void write_output(std::ostream& stream, Job& job)
-{
-  const Command_line& line = job.line;
-  const std::string extension = output_extension(line.output);
-  if(extension == "glb")
-    write_glb(stream, job.flat->points, job.flat->normals, job.flat->uv, job.flat->triangles, job.texture);
-  else
-    write_map(stream, job.mesh, job.uv, job.originals, extension, job.result.aspect,
-              has_material(line) ? std::filesystem::path(beside(line.output, ".mtl")).filename().string() : "");
-}
-
-/// adds the material of an OBJ file and its picture; one that is there already stays
-void add_material(const Job& job, Output_set& outputs)
-{
-  const std::string picture = beside(job.line.output, ".png");
-  outputs.add(beside(job.line.output, ".mtl"), [picture](std::ostream& stream) { write_material(stream, picture); });
-  if(!is_same_file(job.line.texture, picture))
-    outputs.add(picture, [&job](std::ostream& stream) { stream << job.texture; });
-}
-
-/// adds what is made of samples
-void add_image_outputs(const Job& job, Output_set& outputs)
-{
-  outputs.add(job.line.image, [&job](std::ostream& stream) {
-    stream << (output_extension(job.line.image) == "exr" ? exr_file(point_picture(*job.image))
-                                                         : png_file(point_picture_in_box(*job.image)));
-  });
-  outputs.add(job.line.normal_map, [&job](std::ostream& stream) { stream << png_file(normal_picture(*job.image)); });
-  outputs.add(job.line.attributes, [&job](std::ostream& stream) { stream << png_file(color_picture(*job.image)); });
-  outputs.add(job.line.grid_mesh, [&job](std::ostream& stream) {
-    write_grid_mesh(stream, *job.image, output_extension(job.line.grid_mesh));
-  });
-}
-
-/// adds the outputs that the command line names, the report last: it tells how long the others took to write
-void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
-{
-  outputs.add(job.line.output, [&job](std::ostream& stream) { write_output(stream, job); });
-  if(has_material(job.line))
-    add_material(job, outputs);
-  add_image_outputs(job, outputs);
-  outputs.add(job.line.svg, [&job](std::ostream& stream) { write_svg(stream, *job.flat, job); });
-  outputs.add(job.line.page, [&job](std::ostream& stream) { write_page(stream, *job.flat, job, *job.first); });
-  outputs.add(job.line.thumbnail, [&job](std::ostream& stream) { stream << png_file(draw_thumbnail(*job.flat)); });
-  outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
-    nlohmann::ordered_json report = make_report(job); // measuring the image takes time, too
-    job.seconds.write = watch.total() - job.seconds.total;
-    job.seconds.total = watch.total();
-    report["seconds"] = timing_report(job.seconds);
-    // a file name need not be UTF-8
-    stream << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-  });
-}
-
 /// reads the texture, where there is to be one
 void read_texture(Job& job)
 {
   if(output_extension(job.line.output) == "glb" || has_material(job.line))
     job.texture = texture_file(job.line.texture);
-}
-
-/// the colors of the vertices of the cut mesh, made of those of the file
-Vertex_colors flat_colors(const Job& job)
-{
-  std::vector<std::optional<Eigen::Vector3d>> conditioned(job.uncut_vertices), colors(job.flat->points.size());
-  for(std::size_t v = 0; v < job.input_colors.size(); ++v)
-    if(const std::size_t kept = conditioned_vertex(v, job.conditioning);
-       kept != CGAL_ext::internal::Conditioning_report::DROPPED)
-      conditioned[kept] = job.input_colors[v];
-  for(std::size_t v = 0; v < job.originals.size(); ++v)
-    colors[v] = conditioned[job.originals[v]];
-  return completed_colors(std::move(colors), job.flat->points, job.flat->triangles);
-}
-
-/// makes what the outputs are made of: the map as arrays, the samples, and the map of the first candidate
-void sample_map(Job& job)
-{
-  const Command_line& line = job.line;
-  if(makes_image(line) || !line.svg.empty() || !line.page.empty() || !line.thumbnail.empty() ||
-     output_extension(line.output) == "glb")
-    job.flat = flat_map(job.mesh, job.uv, job.originals);
-  if(!line.attributes.empty())
-    job.flat->colors = flat_colors(job);
-  if(makes_image(line))
-    job.image = make_geometry_image(*job.flat, *line.resolution, job.result.seam_samples);
-  if(!line.page.empty())
-    job.first = map_first_candidate(job);
 }
 
 CGAL_ext::internal::Surface_soup read_input(Job& job)
@@ -168,9 +78,8 @@ void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
     line.options.corners = mesh_vertices(*line.corners, job.conditioning);
   job.uncut_vertices = job.mesh.number_of_vertices();
   if(makes_image(line)) {
-    if(!line.resolution)
-      line.resolution = default_resolution(job.uncut_vertices);
-    line.options.seam_grid = line.resolution;
+    line.options.seam_grid = line.resolution ? *line.resolution : default_resolution(job.uncut_vertices);
+    line.options.fits_seam_grid = !line.resolution;
   }
   job.uv = job.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("h:uv").first;
 }
@@ -271,9 +180,7 @@ Exit_status run(Command_line command_line)
     }
     return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
-  if(!job.line.page.empty() || makes_image(job.line))
-    progress.start("sampling");
-  sample_map(job);
+  sample_map(job, progress);
   job.seconds.sample = watch.lap();
   job.seconds.total = watch.total(); // before the outputs are written
   progress.start("writing");
@@ -286,7 +193,7 @@ Exit_status run(Command_line command_line)
     if(has_reached_time_limit(job))
       std::cerr << "the time limit was reached: this is the best map so far\n";
     tell_map(result, job.seconds.total);
-    tell_open_seams(job);
+    tell_open_seams(result);
   }
   return DONE;
 }

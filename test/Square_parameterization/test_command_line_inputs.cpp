@@ -165,11 +165,7 @@ TEST_CASE("the surface that is mapped is written as binary STL")
 
 TEST_CASE("a surface with numbers that STL does not have is not written as STL")
 {
-  Soup large = small;
-  for(Point& p : large.points)
-    for(double& x : p)
-      x *= 1e39;
   const Temporary_folder folder;
-  check_refusal(folder, {folder.add("in.off", off(large)), "-o", folder / "map.stl"}, BAD_COMMAND_LINE,
+  check_refusal(folder, {folder.add("in.off", off(scaled(small, 1e39))), "-o", folder / "map.stl"}, BAD_COMMAND_LINE,
                 "STL has no number");
 }

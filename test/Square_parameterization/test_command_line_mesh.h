@@ -50,6 +50,15 @@ inline Soup sheet(int nx, int ny, double offset = 0)
   return soup;
 }
 
+/// the same surface, larger
+inline Soup scaled(Soup soup, double factor)
+{
+  for(Point& p : soup.points)
+    for(double& x : p)
+      x *= factor;
+  return soup;
+}
+
 /// the border vertices of an oriented disk, counter-clockwise from the lowest
 inline std::vector<long> border_of(const std::vector<Face>& faces)
 {

@@ -96,11 +96,11 @@ TEST_CASE("a page holds the best map and that of the first candidate")
     const Page page = make_page(soup);
     CAPTURE(page.data["report"].dump(1));
     // 32 bits tell seven digits of a place, and fewer of what is computed from it
-    const Measures best = measure(page.map("uv"));
+    const Measures best = measure(page.map("places"));
     CHECK(best.flipped == 0);
     CHECK(page.data["report"]["best"]["l2"].get<double>() == Approx(double(best.l2)).epsilon(1e-4));
     REQUIRE(page.data["first"].is_object());
-    const Measures first = measure(page.map("uv_first"));
+    const Measures first = measure(page.map("places_first"));
     CHECK(first.flipped == 0);
     CHECK(page.data["first"]["l2"].get<double>() == Approx(double(first.l2)).epsilon(1e-4));
     // it is the candidate that the search knows, minimised to the end
@@ -108,9 +108,44 @@ TEST_CASE("a page holds the best map and that of the first candidate")
     REQUIRE(sample["candidate"] == 0);
     CHECK(page.data["first"]["l2"].get<double>() == Approx(sample["l2"].get<double>()).epsilon(0.01));
     CHECK(page.data["first"]["input_corners"] != page.data["report"]["best"]["input_corners"]);
-    CHECK(page.array<float>("stretch").size() == page.map("uv").faces.size());
-    CHECK(page.array<float>("stretch_first").size() == page.map("uv").faces.size());
+    CHECK(page.array<float>("stretch").size() == page.map("places").faces.size());
+    CHECK(page.array<float>("stretch_first").size() == page.map("places").faces.size());
   }
+}
+
+TEST_CASE("a page draws both maps on their rectangles")
+{
+  const Page page = make_page(sheet(12, 5), {"--aspect", "best"});
+  for(const auto& [name, report] :
+      {std::make_pair("places", page.data["report"]["best"]), std::make_pair("places_first", page.data["first"])}) {
+    CAPTURE(name);
+    const Map map = page.map(name);
+    std::array<double, 2> largest{};
+    for(const auto& [x, y] : map.uv)
+      largest = {std::max(largest[0], std::abs(double(x))), std::max(largest[1], std::abs(double(y)))};
+    CHECK(largest[0] / largest[1] == Approx(report["aspect"].get<double>()).epsilon(1e-6));
+    CHECK(4 * largest[0] * largest[1] == Approx(1).epsilon(1e-6));
+    CHECK(double(measure(map).l2) == Approx(report["l2"].get<double>()).epsilon(1e-4));
+  }
+  CHECK(page.data["report"]["best"]["aspect"] != page.data["first"]["aspect"]);
+}
+
+TEST_CASE("the first candidate is said to be the best where its corners are")
+{
+  int moved = 0;
+  for(int columns = 4; columns < 12; ++columns) {
+    CAPTURE(columns);
+    const Page page = make_page(sheet(columns, 4), {"--aspect", "best"});
+    const nlohmann::json& best = page.data["report"]["best"];
+    const bool is_first = best["candidate"] == 0 && best["has_moved_corners"] == false;
+    CHECK((page.data["no_first"] == "The first candidate is the best.") == is_first);
+    CHECK(page.data["first"].is_object() == !is_first);
+    if(best["candidate"] == 0 && !is_first) {
+      ++moved;
+      CHECK(page.data["first"]["input_corners"] != best["input_corners"]);
+    }
+  }
+  CHECK(moved > 0);
 }
 
 TEST_CASE("the border of a page has the two sides of every seam")

@@ -91,6 +91,18 @@ TEST_CASE("on a terminal one line tells what is being done, and is gone at the e
   CHECK(run.text.find('\r', message) == run.text.find("\r\n", message));
 }
 
+TEST_CASE("candidates that are sketched, and corners that move, are on the line")
+{
+  const Temporary_folder folder;
+  const On_terminal sketched({folder.add("large.off", off(sheet(92, 92)))});
+  CHECK(sketched.status == DONE);
+  CHECK(has_line(sketched.lines(), "searching: 32 candidates sketched"));
+  const On_terminal moved({folder.add("in.off", off(sheet(12, 9))), "--aspect", "2"});
+  CHECK(moved.status == DONE);
+  CHECK(has_line(moved.lines(), "moving corners: 1 choice compared"));
+  CHECK(has_line(moved.lines(), "moving corners: 100 choices compared"));
+}
+
 TEST_CASE("the progress line is no wider than the terminal")
 {
   const Temporary_folder folder;

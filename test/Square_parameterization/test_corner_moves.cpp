@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "closed_meshes.h"
 #include "mapped_patches.h"
 #include "test_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
@@ -29,7 +32,7 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
     if(!is_square)
       minimization.aspect.reset();
     const auto minimizer = make_minimizer(patch, minimization);
-    Corner_evaluation all([&] { return minimizer->make_worker(); }, patch, 0, [] { return true; });
+    Corner_evaluation all([&] { return minimizer->make_worker(); }, patch, 0, nullptr, [] { return true; });
     std::vector<Corners> choices;
     for(int a = 0; a < 20; ++a)
       for(int b = a + 1; b < 20; ++b)
@@ -44,6 +47,17 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
     found += energy <= 1.001 * all.best_map().report.objective;
   }
   CHECK(found >= 9);
+}
+
+TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")
+{
+  const Triangle_surface plate = surface_of(plate_with_handles(10, 10));
+  Thread_team team(1, 1);
+  const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  const auto map_for = minimizer->make_rough_worker();
+  for(const Uv_coordinates& border_uv : spread_borders(patch, 4))
+    CHECK(map_for(border_uv, nullptr).report.objective > 0);
 }
 
 TEST_CASE("a developable strip is mapped without stretch onto its rectangle")
@@ -68,10 +82,20 @@ TEST_CASE("corners that move are never worse than those of the quarters, and do 
   for(unsigned int seed : {1u, 2u}) {
     const Patch patch = make_patch_of(noisy_height_field(12, seed));
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    struct Move_counter : Search_visitor
+    {
+      void after_corner_move() override { ++moves; }
+      void start_minimization() override { moves_before_end = moves; }
+      std::size_t moves = 0, moves_before_end = 0;
+    } visitor;
     Square_search_options options;
     options.number_of_threads = 1;
+    options.visitor = &visitor;
     options.moves_corners = true;
     const Search_outcome moved = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
+    CHECK(visitor.moves >= moved.report.corner_moves); // the best are mapped in full as well
+    CHECK(visitor.moves == visitor.moves_before_end);
+    options.visitor = nullptr;
     options.number_of_threads = 3;
     CHECK(search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.uv == moved.map.uv);
     CHECK(moved.report.corner_moves > 0);

@@ -6,10 +6,13 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/Grid_mesh.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/Seam_fit.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/locate_samples.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/vertex_normals.h>
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <functional>
 #include <set>
 
@@ -54,7 +57,7 @@ struct Rebuilt
   Surface_topology topology;
 };
 
-Rebuilt rebuild(const Closed_mesh& closed, const Grid_size& grid)
+Rebuilt rebuild(const Closed_mesh& closed, const Grid_size& grid, const Deadline& deadline = {})
 {
   Surface_arrays arrays;
   arrays.points = closed.points;
@@ -66,6 +69,7 @@ Rebuilt rebuild(const Closed_mesh& closed, const Grid_size& grid)
   settings.seam_grid = grid;
   settings.cut.mode = Cut_mode::SHORTEST;
   settings.search = First_candidate_corner_search();
+  settings.search_options.deadline = deadline;
   Rebuilt result;
   result.map = map_surface(arrays, {}, settings, result.report);
   result.points = points_after(result.map.edits, closed.points);
@@ -163,6 +167,7 @@ TEST_CASE("a surface rebuilt from samples is closed and manifold, of the same ge
       INFO("genus " << genus << ", " << grid.width << " x " << grid.height);
       const Rebuilt rebuilt = rebuild(surface, grid);
       CHECK(!rebuilt.report.seam_samples.empty());
+      CHECK(rebuilt.report.seam_message == "");
       CHECK(rebuilt.report.measures.flipped_faces == 0);
       CHECK(rebuilt.topology.is_closed);
       CHECK(rebuilt.topology.is_manifold);
@@ -177,9 +182,48 @@ TEST_CASE("a grid that is too small for the seams leaves the map as it is")
 {
   const Rebuilt rebuilt = rebuild(torus(12, 8), {2, 2});
   CHECK(rebuilt.report.seam_samples.empty());
+  CHECK_THAT(rebuilt.report.seam_message, Catch::EndsWith("the border of the grid has 4"));
   CHECK(!rebuilt.topology.is_closed);
   CHECK(rebuilt.topology.is_manifold);
   CHECK(rebuilt.topology.genus == 0);
+}
+
+TEST_CASE(
+    "the seams of a surface with many handles close as soon as the border has the intervals that are said to miss")
+{
+  // the cut graph of 16 handles has 3 (2 * 16 - 1) seams, where no more than three meet
+  const Closed_mesh plate = plate_with_handles(4, 4);
+  const Rebuilt open = rebuild(plate, {17, 17});
+  REQUIRE(open.report.seam_samples.empty());
+  const std::string& message = open.report.seam_message;
+  CHECK_THAT(message, Catch::EndsWith(", and the border of the grid has 64"));
+  const int needed = std::stoi(message.substr(message.find(" need ") + 6));
+  CHECK(needed > 64);
+  const int side = needed / 4 * 5 / 4 + 2; // the four sides do not share them evenly
+  const Rebuilt closed = rebuild(plate, {side, side});
+  CHECK(closed.report.seam_message == "");
+  CHECK(closed.topology.is_closed);
+  CHECK(closed.topology.is_manifold);
+  CHECK(closed.topology.genus == 16);
+}
+
+TEST_CASE("a deadline ends the map for the seams, which is one-to-one, or leaves the map as it is")
+{
+  const Closed_mesh surface = ellipsoid(6, 3);
+  const auto start = std::chrono::steady_clock::now();
+  for(int milliseconds : {150, 300, 600, 1200}) {
+    CAPTURE(milliseconds);
+    try {
+      const Rebuilt rebuilt =
+          rebuild(surface, {65, 65}, std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds));
+      CHECK(rebuilt.report.measures.flipped_faces == 0);
+      CHECK(rebuilt.topology.is_closed == rebuilt.report.seam_message.empty());
+      if(!rebuilt.report.seam_message.empty())
+        CHECK(rebuilt.report.search.is_cancelled);
+    } catch(const Unmappable&) { // there was no time for any map
+    }
+  }
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
 }
 
 TEST_CASE("what is not manifold is said to be so")

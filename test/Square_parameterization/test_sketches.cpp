@@ -116,11 +116,26 @@ TEST_CASE("a search over a large patch makes sketches, and the same for any numb
 {
   const Patch patch = make_patch_of(noisy_height_field(92));
   const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  struct Sketch_counter : Search_visitor
+  {
+    void after_sketch(const Search_report::Sample& sample) override
+    {
+      CHECK(evaluations == 0);
+      candidates.insert(sample.candidate);
+    }
+    void after_evaluation(const Search_report::Sample&) override { ++evaluations; }
+    std::set<int> candidates;
+    std::size_t evaluations = 0;
+  } visitor;
   Square_search_options options;
   options.number_of_threads = 1;
+  options.visitor = &visitor;
   const Search_outcome one = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
   CHECK(one.report.sketches >= 32);
   CHECK(one.report.evaluations < 12);
+  CHECK(visitor.candidates.size() == one.report.sketches);
+  CHECK(visitor.evaluations == one.report.evaluations);
+  options.visitor = nullptr;
   options.number_of_threads = 3;
   const Search_outcome three = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
   CHECK(three.map.uv == one.map.uv);

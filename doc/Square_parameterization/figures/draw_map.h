@@ -6,6 +6,7 @@
 
 #include "square_map/surface_view.h"
 
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/vertex_normals.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
@@ -15,6 +16,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -26,13 +29,18 @@ namespace figures {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef CGAL_ext::Square_map_options<Mesh> Options;
 using square_map::Canvas;
 using square_map::checkerboard_at;
 using square_map::Color;
 using square_map::Place;
 using square_map::Surface_view;
 typedef square_map::Picture<std::uint8_t> Picture;
+
+/// options of maps whose corners are those of a candidate, unless a figure is about corners that move
+struct Options : CGAL_ext::Square_map_options<Mesh>
+{
+  Options() { search_options.moves_corners = false; }
+};
 
 /// a mapped surface, cut open, as arrays
 struct Map
@@ -71,7 +79,7 @@ inline Map make_map(Mesh mesh, const Options& options = {})
   using namespace CGAL_ext::internal;
   auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   Map map;
-  map.result = CGAL_ext::parameterize_onto_square(mesh, uvmap, CGAL_ext::parameters::options(options));
+  map.result = CGAL_ext::parameterize_onto_square(mesh, uvmap, CGAL_ext::parameters::options<Mesh>(options));
   if(map.result.status != CGAL::Surface_mesh_parameterization::OK)
     throw std::runtime_error(map.result.message);
   auto [arrays, vertices] = read_faces(mesh, mesh.faces(), mesh.points());
@@ -88,6 +96,14 @@ inline Map make_map(Mesh mesh, const Options& options = {})
   map.normals = vertex_normals(map.points, map.triangles, originals);
   map.border = border_edges(map.triangles);
   return map;
+}
+
+/// the default minimization, with a border that moves or not
+inline CGAL_ext::Balanced_minimization with_border(CGAL_ext::Border_motion motion)
+{
+  CGAL_ext::Balanced_minimization balanced;
+  balanced.border = motion;
+  return balanced;
 }
 
 /// evaluates one candidate alone
@@ -110,11 +126,22 @@ struct Style
   int size = 330;
 };
 
-/// draws triangles at their places, in the checkerboard of their map or one color, with or without their edges
-inline Picture draw(const Map& map, const std::vector<Place>& places, const std::vector<double>& light,
-                    const Style& style)
+/// of a picture that shows the faces, and no checkerboard
+inline Style faces_style()
 {
-  Canvas canvas(style.size, style.size);
+  Style style;
+  style.has_edges = true;
+  style.has_checkerboard = false;
+  return style;
+}
+
+/// draws triangles at their places, in the checkerboard of their map or one color, with or without their edges
+/// \param width of the picture; its height is the size of the style
+inline Picture draw(const Map& map, const std::vector<Place>& places, const std::vector<double>& light,
+                    const Style& style, int width)
+{
+  Canvas canvas(width, style.size);
+  const Eigen::RowVector2d scale = CGAL_ext::internal::scale_to_rectangle(map.result.aspect);
   for(const auto& t : map.triangles)
     canvas.draw_triangle({places[t[0]], places[t[1]], places[t[2]]}, [&](const auto& w, double distance) {
       double u = 0, v = 0, brightness = 0;
@@ -123,7 +150,8 @@ inline Picture draw(const Map& map, const std::vector<Place>& places, const std:
         v += w[k] * map.uv(t[k], 1);
         brightness += w[k] * light[t[k]];
       }
-      const Eigen::Vector3d color = style.has_checkerboard ? checkerboard_at(u, v, 24) : Eigen::Vector3d(205, 215, 228);
+      const Eigen::Vector3d color =
+          style.has_checkerboard ? checkerboard_at(u * scale.x(), v * scale.y(), 24) : Eigen::Vector3d(205, 215, 228);
       return Eigen::Vector3d(brightness * (style.has_edges && distance < 0.45 ? 0.35 : 1.) * color);
     });
   for(const auto& [a, b] : map.border)
@@ -148,16 +176,20 @@ inline Picture draw_surface(const Map& map, const Style& style = {})
     places.push_back(view.place(map.points[v]));
     light.push_back(view.light(map.normals[v]));
   }
-  return draw(map, places, light, style);
+  return draw(map, places, light, style, style.size);
 }
 
-/// the map on the square
-inline Picture draw_square(const Map& map, const Style& style = {})
+/// the map on the square, or on its rectangle, which has the same area unless it is upright
+inline Picture draw_domain(const Map& map, const Style& style)
 {
+  const Eigen::RowVector2d sides =
+      0.92 * (std::min)(1., std::sqrt(map.result.aspect)) * CGAL_ext::internal::scale_to_rectangle(map.result.aspect);
+  const double width = sides.x() + 0.08; // in heights of the picture
   std::vector<Place> places;
   for(Eigen::Index v = 0; v < map.uv.rows(); ++v)
-    places.emplace_back(0.04 + 0.92 * map.uv(v, 0), 0.04 + 0.92 * map.uv(v, 1), 0.5);
-  return draw(map, places, std::vector<double>(map.points.size(), 1.), style);
+    places.emplace_back((0.04 + sides.x() * map.uv(v, 0)) / width, 0.5 + sides.y() * (map.uv(v, 1) - 0.5), 0.5);
+  return draw(map, places, std::vector<double>(map.points.size(), 1.), style,
+              static_cast<int>(std::lround(width * style.size)));
 }
 
 /// pictures of one height side by side

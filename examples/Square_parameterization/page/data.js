@@ -17,7 +17,7 @@ function readArrays(layout) {
   const arrays = {};
   for (const { name, type, offset, size } of layout)
     arrays[name] = new types[type](buffer, offset, size);
-  arrays.uv_first = arrays.uv_first || arrays.uv;
+  arrays.places_first = arrays.places_first || arrays.places;
   arrays.stretch_first = arrays.stretch_first || arrays.stretch;
   return arrays;
 }
@@ -59,8 +59,8 @@ function makeFaces(arrays, scale) {
     geometry.setAttribute(name, new THREE.BufferAttribute(values, width, normalized));
   add('position', perCorner(arrays.points, 3, arrays.triangles), 3);
   add('normal', perCorner(arrays.normals, 3, arrays.triangles), 3, true);
-  add('uv', perCorner(arrays.uv, 2, arrays.triangles), 2);
-  add('uvFirst', perCorner(arrays.uv_first, 2, arrays.triangles), 2);
+  add('uv', perCorner(arrays.places, 2, arrays.triangles), 2);
+  add('uvFirst', perCorner(arrays.places_first, 2, arrays.triangles), 2);
   add('share', scaleShares(arrays.stretch, scale), 1);
   add('shareFirst', scaleShares(arrays.stretch_first, scale), 1);
   add('faceColor', faceColors(arrays.stretch.length), 4, true);
@@ -81,10 +81,10 @@ function makeBorder(arrays, seamColors) {
   const ends = (values, width, end) => (e, k, c) => values[width * arrays.border[2 * e + end] + c];
   add('position', 3, ends(arrays.points, 3, 0));
   add('target', 3, ends(arrays.points, 3, 1));
-  add('uv', 2, ends(arrays.uv, 2, 0));
-  add('targetUv', 2, ends(arrays.uv, 2, 1));
-  add('uvFirst', 2, ends(arrays.uv_first, 2, 0));
-  add('targetUvFirst', 2, ends(arrays.uv_first, 2, 1));
+  add('uv', 2, ends(arrays.places, 2, 0));
+  add('targetUv', 2, ends(arrays.places, 2, 1));
+  add('uvFirst', 2, ends(arrays.places_first, 2, 0));
+  add('targetUvFirst', 2, ends(arrays.places_first, 2, 1));
   add('place', 2, (e, k, c) => (c === 0 ? k >> 1 : 2 * (k & 1) - 1));
   const black = [0.13, 0.13, 0.13];
   add('color', 3, (e, k, c) => (arrays.seam[e] < 0 ? black : seamColors[arrays.seam[e] % seamColors.length])[c]);

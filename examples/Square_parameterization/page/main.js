@@ -14,10 +14,11 @@ class Page {
     this.renderer.setClearColor(0xffffff, 1);
     this.target = new THREE.WebGLRenderTarget(1, 1);
     const squareCamera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 2);
-    squareCamera.position.set(0.5, 0.5, 1);
+    squareCamera.position.set(0, 0, 1);
     this.surface = new View(document.getElementById('surface'), makeSurfaceCamera(this.arrays), faces, border,
-                            this.uniforms, false);
-    this.square = new View(document.getElementById('square'), squareCamera, faces, border, this.uniforms, true);
+                            this.uniforms, null);
+    this.square = new View(document.getElementById('square'), squareCamera, faces, border, this.uniforms,
+                           rectangleAround([page.report.best, page.first || page.report.best]));
     this.goal = 1;
     this.face = -1;
     this.pointer = null;
@@ -65,10 +66,10 @@ class Page {
       return;
     this.face = face;
     tellFace(face, this.page, this.arrays);
-    const { points, uv, uv_first, triangles } = this.arrays, best = this.uniforms.best.value;
+    const { points, places, places_first, triangles } = this.arrays, best = this.uniforms.best.value;
     const corners = place => face < 0 ? null : [0, 1, 2].map(k => place(triangles[3 * face + k]));
     this.surface.showMark(corners(v => new THREE.Vector3(points[3 * v], points[3 * v + 1], points[3 * v + 2])));
-    const between = k => (1 - best) * uv_first[k] + best * uv[k];
+    const between = k => (1 - best) * places_first[k] + best * places[k];
     this.square.showMark(corners(v => new THREE.Vector3(between(2 * v), between(2 * v + 1), 0)));
     this.isChanged = true;
   }

@@ -1,12 +1,19 @@
 'use strict';
 // The two pictures, which one canvas behind two panels shows, and what the pointer does there.
 
-/// a picture: what is drawn in a panel, and from where
+/// width and height of what holds the rectangles of several maps, of area 1 each
+function rectangleAround(maps) {
+  return { width: Math.max(...maps.map(map => Math.sqrt(map.aspect))),
+           height: Math.max(...maps.map(map => 1 / Math.sqrt(map.aspect))) };
+}
+
+/// a picture: what is drawn in a panel, and from where; in space, or flat in a rectangle round the origin
 class View {
-  constructor(panel, camera, faces, border, uniforms, isFlat) {
+  constructor(panel, camera, faces, border, uniforms, rectangle) {
+    const isFlat = rectangle !== null;
+    this.rectangle = rectangle;
     this.panel = panel;
     this.camera = camera;
-    this.isFlat = isFlat;
     this.size = { value: new THREE.Vector2(1, 1) };
     this.faces = new THREE.Mesh(faces, makeFaceMaterial(uniforms, isFlat));
     this.border = new THREE.Mesh(border, makeBorderMaterial(uniforms, this.size, isFlat));
@@ -49,12 +56,12 @@ class View {
 
   setAspect(aspect) {
     const camera = this.camera;
-    if (this.isFlat) {
-      const half = 0.54; // a little more than the square
-      camera.left = -half * Math.max(aspect, 1);
-      camera.right = -camera.left;
-      camera.top = half * Math.max(1 / aspect, 1);
+    if (this.rectangle !== null) {
+      const { width, height } = this.rectangle;
+      camera.top = 0.54 * Math.max(height, width / aspect); // a little more than the rectangle
       camera.bottom = -camera.top;
+      camera.right = aspect * camera.top;
+      camera.left = -camera.right;
     } else
       camera.aspect = aspect;
     camera.updateProjectionMatrix();

@@ -15,7 +15,7 @@ const counted = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 
 function writeTitle(report) {
   const file = report.input.file === '-' ? 'standard input' : report.input.file.split('/').pop();
-  const title = `The map of ${file} onto the square`;
+  const title = `The map of ${file} onto the ${report.best.aspect === 1 ? 'square' : 'rectangle'}`;
   document.title = title;
   document.getElementById('title').textContent = title;
   document.getElementById('summary').textContent =
@@ -29,12 +29,13 @@ function writeFigures(report, first) {
   const table = document.getElementById('figures'), columns = first ? [report.best, first] : [report.best];
   const head = addElement(addElement(table, 'thead'), 'tr'), body = addElement(table, 'tbody');
   addElement(head, 'th');
-  columns.forEach(figures => addElement(head, 'th', `candidate ${figures.candidate}` +
-                                                    (figures === report.best ? ' (best)' : ' (first)')));
+  const name = figures => `candidate ${figures.candidate}` +
+    (figures !== report.best ? ' (first)' : figures.has_moved_corners ? ', corners moved (best)' : ' (best)');
+  columns.forEach(figures => addElement(head, 'th', name(figures)));
   const corners = figures => figures.input_corners.map(v => (v === null ? 'added' : v)).join(', ');
   const rows = [['L2 stretch', f => rounded(f.l2)], ['largest stretch (Linf)', f => rounded(f.linf)],
                 ['symmetric Dirichlet energy', f => rounded(f.symmetric_dirichlet)],
-                ['flipped faces', f => f.flipped], ['corners, vertices of the file', corners]];
+                ['flipped faces', f => f.flipped], ['width over height', f => rounded(f.aspect)], ['corners, vertices of the file', corners]];
   for (const [words, value] of rows) {
     const row = addElement(body, 'tr');
     addElement(row, 'th', words);
@@ -65,6 +66,8 @@ function writeDeeds(page) {
   tell(done.degenerate_faces, 'face without area was', 'faces without area were', ' mapped as if a little wide.');
   addElement(list, 'li', `Minimizer ${report.minimizer}, strategy ${report.strategy}: ` +
                          `${counted(report.evaluations, 'candidate', 'candidates')} of ${report.candidates} mapped.`);
+  if (report.best.has_moved_corners)
+    addElement(list, 'li', `The corners then moved on their own, from those of candidate ${report.best.candidate}.`);
   if (report.time_limit_reached)
     addElement(list, 'li', 'The time limit was reached: this is the best map so far.');
   if (page.no_first)

@@ -37,7 +37,7 @@ struct Balanced_minimization
 
   /// relative decrease of the energy, as promised by a step or made by the last five together, below which the
   /// minimization of the delivered map ends; not negative
-  double tolerance = 1e-5;
+  double tolerance = 1e-6;
 
   /// the same while candidates for the corners are compared; not negative
   double search_tolerance = 1e-4;

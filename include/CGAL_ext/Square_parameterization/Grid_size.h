@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_GRID_SIZE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_GRID_SIZE_H
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL_ext {
@@ -19,6 +21,15 @@ struct Grid_size
 
   /// indicates whether both numbers are in their range
   bool is_valid() const { return width >= 2 && height >= 2 && width <= 65536 && height <= 65536; }
+
+  /// the grid of about as many squares whose numbers of intervals are to each other as the sides of a rectangle
+  /// \param aspect width over height of the rectangle, positive
+  Grid_size fitted_to(double aspect) const
+  {
+    const double intervals = std::sqrt((width - 1.) * (height - 1.));
+    const auto samples = [](double n) { return 1 + static_cast<int>(std::lround((std::clamp)(n, 1., 65535.))); };
+    return {samples(intervals * std::sqrt(aspect)), samples(intervals / std::sqrt(aspect))};
+  }
 
   /// number of samples
   std::size_t number_of_samples() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }

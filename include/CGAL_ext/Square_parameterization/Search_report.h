@@ -33,7 +33,10 @@ struct Search_report
   double best_objective = std::numeric_limits<double>::infinity(); ///< of the best candidate
   /// positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1); 0 without a map
   std::array<int, 4> corners{};
-  std::size_t corner_moves = 0;       ///< number of choices of four corners that were compared beyond the candidates
+  std::size_t corner_moves = 0; ///< number of choices of four corners that were compared beyond the candidates
+  /// the corners are not those of the best candidate: they moved on from there, to less energy or to where the two
+  /// sides of all seams can have the same samples
+  bool has_moved_corners = false;
   std::vector<Sample> curve;          ///< the evaluated candidates, in the order of the candidates
   std::vector<Sample> sketched_curve; ///< the sketched candidates; comparable among themselves only
   bool is_cancelled = false;          ///< the callback or the deadline stopped the search: the best so far is reported

@@ -34,11 +34,18 @@ public:
   /// number of candidates: an upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 
+  /// called after each sketch, the map of a candidate on a coarser mesh: see `Corner_search_problem`
+  virtual void after_sketch(const Search_report::Sample& /* sample */) {}
+
   /// called after each evaluation, in the order in which they finish, which differs from run to run with several
   /// threads
   virtual void after_evaluation(const Search_report::Sample& /* sample */) {}
 
-  /// called after the last evaluation, before the map of the best candidate is minimised to the end; as often as
+  /// called after each map that is made to move the corners on their own (`Square_search_options::moves_corners`), most of
+  /// them of a coarser mesh; their number is not known before
+  virtual void after_corner_move() {}
+
+  /// called after all of these, before the map of the best candidate is minimised to the end; as often as
   /// `start_search()`, unless a search is refused or left by an exception
   virtual void start_minimization() {}
 

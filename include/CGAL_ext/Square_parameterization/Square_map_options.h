@@ -41,6 +41,7 @@ struct Square_map_settings
   /// closes there: the border of the best map is then moved along the square and fixed, and the map minimised again. No
   /// effect on a surface that needs no cut.
   std::optional<Grid_size> seam_grid;
+  bool fits_seam_grid = false; ///< the grid is `Grid_size::fitted_to()` the rectangle that was minimised on
 };
 
 /// \ingroup PkgSquareParameterizationFunctions

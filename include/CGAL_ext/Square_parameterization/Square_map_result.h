@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_SQUARE_MAP_RESULT_H
 
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
+#include <CGAL_ext/Square_parameterization/Grid_size.h>
 #include <CGAL_ext/Square_parameterization/Minimization_report.h>
 #include <CGAL_ext/Square_parameterization/Search_report.h>
 #include <CGAL_ext/Square_parameterization/Stretch_measures.h>
@@ -55,10 +56,15 @@ struct Square_map_report
   Stretch_measures measures;              ///< of the delivered map, on its rectangle
   double aspect = 1;            ///< width over height of the rectangle, of area 1, that the unit square stands for
   std::size_t border_edges = 0; ///< number of edges of the border
-  /// with `Square_map_settings::seam_grid`: pairs of samples of the border that are the same point of the surface,
-  /// counted counter-clockwise from (0, 0). Empty when there is no seam, and when the grid has too few samples for the
-  /// seams: then the map is as if there were no grid.
+  /// with `Square_map_settings::seam_grid`, of a surface that was cut: the grid that the seams were to share
+  std::optional<Grid_size> seam_grid;
+  /// with a grid for the seams: pairs of samples of the border that are the same point of the surface,
+  /// counted counter-clockwise from (0, 0). Empty when there is no seam, and when `seam_message` tells why they cannot be
+  /// the same: then the map is as if there were no grid.
   std::vector<std::array<int, 2>> seam_samples;
+  /// why the two sides of the seams have not the same samples, although that was asked for: half a sentence, for example
+  /// that the grid has too few; else empty
+  std::string seam_message;
   /// number of faces lower than 1e-8 sqrt(area) over their longest side. They are mapped as if they were as high as
   /// 1e-4 sqrt(area); the measures take them as they are.
   std::size_t degenerate_faces = 0;

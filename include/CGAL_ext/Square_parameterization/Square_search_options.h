@@ -37,7 +37,7 @@ struct Square_search_options
   /// when it has passed, no evaluation and no sketch begins, what is being minimised is left as it is, and the best
   /// candidate so far is delivered, marked as cancelled, as when the callback stops the search. Of the time until then
   /// `parameterize_onto_square()` spends half on the decision where to cut, at most, and the search half of the rest on
-  /// sketches. The result then depends on the speed of the machine.
+  /// sketches; with `Square_map_settings::seam_grid` the search leaves a quarter of its time to the map for the seams. The result then depends on the speed of the machine.
   std::optional<std::chrono::steady_clock::time_point> deadline;
 
   /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], and before each

@@ -20,6 +20,7 @@ struct First_candidate
   std::string reason;                      ///< why there is no such map, a sentence; empty when there is one
   std::vector<Mesh::Vertex_index> corners; ///< of the cut mesh
   CGAL_ext::internal::Uv_coordinates uv;   ///< #V of the cut mesh by 2
+  double aspect = 1;                       ///< of the rectangle that the unit square stands for
   CGAL_ext::Stretch_measures measures;
 };
 

@@ -52,33 +52,54 @@ public:
     if(share <= 0)
       start("cutting");
     else if(share < 1)
-      show(std::to_string(std::lround(100 * share)) + " %" + time_left("about", share));
+      show(std::to_string(static_cast<int>(100 * share)) + " %" + time_left("about", share));
     else if(m_line.corners) // there is no search, which would tell
       start("mapping");
   }
 
   void start_search(std::size_t candidates) override
   {
-    m_evaluations = 0;
+    m_evaluations = m_sketches = m_corner_moves = 0;
     m_most_evaluations = most_evaluations(candidates);
     start("searching");
   }
 
   void after_evaluation(const CGAL_ext::Search_report::Sample& sample) override
   {
+    continue_with("searching");
     m_best = (std::min)(m_best, sample.objective);
     ++m_evaluations;
     char best[32];
     std::snprintf(best, sizeof best, "%.6g", m_best);
     show(std::to_string(m_evaluations) + " of at most " + std::to_string(m_most_evaluations) + " candidates, least " +
          (m_line.minimizer == "optimal" ? "energy " : "stretch ") + best +
-         time_left("at most", double(m_evaluations) / double(m_most_evaluations)));
+         time_left("at most about", double(m_evaluations) / double(m_most_evaluations)));
+  }
+
+  void after_sketch(const CGAL_ext::Search_report::Sample& /* sample */) override
+  {
+    continue_with("searching");
+    show(counted(++m_sketches, "candidate sketched", "candidates sketched")); // how many will be is not known
+    m_start = Clock::now();                                                   // of what time is estimated for
+  }
+
+  void after_corner_move() override
+  {
+    continue_with("moving corners");
+    show(counted(++m_corner_moves, "choice compared", "choices compared"));
   }
 
   void start_minimization() override { start("mapping"); }
 
 private:
   typedef std::chrono::steady_clock Clock;
+
+  /// begins a part of the work, unless it is what was being done
+  void continue_with(const std::string& phase)
+  {
+    if(m_phase != phase)
+      start(phase);
+  }
 
   /// how many of the candidates a strategy evaluates at most, where its page tells
   std::size_t most_evaluations(std::size_t candidates) const
@@ -124,7 +145,7 @@ private:
   std::string m_phase;
   Clock::time_point m_start;
   std::size_t m_width = 0; ///< of the line that is shown
-  std::size_t m_evaluations = 0, m_most_evaluations = 0;
+  std::size_t m_evaluations = 0, m_most_evaluations = 0, m_sketches = 0, m_corner_moves = 0;
   double m_best = std::numeric_limits<double>::infinity();
 };
 

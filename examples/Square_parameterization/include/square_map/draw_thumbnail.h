@@ -8,6 +8,8 @@
 #include "report.h"
 #include "surface_view.h"
 
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <utility>
@@ -49,7 +51,8 @@ inline Eigen::Vector3d front_of(const std::vector<Eigen::Vector3d>& points,
 }
 
 /// draws the surface in a checkerboard of its map, in white surroundings: `THUMBNAIL_PIXELS` on each side
-inline Picture<std::uint8_t> draw_thumbnail(const Flat_map& map)
+/// \param aspect of the rectangle that the square stands for
+inline Picture<std::uint8_t> draw_thumbnail(const Flat_map& map, double aspect)
 {
   const std::vector<Eigen::Vector3d> points = in_box(map.points, map.box());
   const Eigen::Vector3d front = front_of(points, map.triangles).normalized();
@@ -59,6 +62,7 @@ inline Picture<std::uint8_t> draw_thumbnail(const Flat_map& map)
   for(const Eigen::Vector3d& p : points)
     places.push_back(view.place(p));
   constexpr int SQUARES = 12;
+  const Eigen::RowVector2d scale = CGAL_ext::internal::scale_to_rectangle(aspect);
   Canvas canvas(THUMBNAIL_PIXELS, THUMBNAIL_PIXELS);
   for(const auto& t : map.triangles)
     canvas.draw_triangle({places[t[0]], places[t[1]], places[t[2]]}, [&](const auto& weights, double) {
@@ -68,7 +72,8 @@ inline Picture<std::uint8_t> draw_thumbnail(const Flat_map& map)
         uv += weights[k] * map.uv.row(t[k]).transpose();
         normal += weights[k] * map.normals[t[k]];
       }
-      return Eigen::Vector3d(view.light(normal.normalized()) * checkerboard_at(uv.x(), uv.y(), SQUARES));
+      return Eigen::Vector3d(view.light(normal.normalized()) *
+                             checkerboard_at(uv.x() * scale.x(), uv.y() * scale.y(), SQUARES));
     });
   return canvas.picture();
 }

@@ -18,7 +18,7 @@ inline First_candidate map_first_candidate(const Job& job)
   First_candidate first;
   if(job.line.corners)
     first.reason = "The corners were given: there is no first candidate.";
-  else if(*job.result.search.best_candidate == 0)
+  else if(*job.result.search.best_candidate == 0 && !job.result.search.has_moved_corners)
     first.reason = "The first candidate is the best.";
   else if(CGAL_ext::internal::has_passed(job.line.options.search_options.deadline))
     first.reason = "The first candidate is not shown: the time limit was reached.";
@@ -40,6 +40,7 @@ inline First_candidate map_first_candidate(const Job& job)
   first.uv.resize(static_cast<Eigen::Index>(mesh.number_of_vertices()), 2);
   for(Mesh::Vertex_index v : mesh.vertices())
     first.uv.row(static_cast<Eigen::Index>(v.idx())) << uv[v].x(), uv[v].y();
+  first.aspect = result.aspect;
   first.corners = std::move(result.corners);
   first.measures = std::move(result.measures);
   return first;

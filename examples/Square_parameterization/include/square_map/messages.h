@@ -6,6 +6,7 @@
 
 #include "Job.h"
 #include "Malformed_file.h"
+#include "name_of_start.h"
 
 #include <iostream>
 #include <string>
@@ -41,23 +42,6 @@ inline void tell_conditioning(const CGAL_ext::internal::Conditioning_report& con
     tell(conditioning.vertices_dropped, "isolated vertex was", "isolated vertices were", " dropped");
 }
 
-/// the start of a map in words
-inline std::string name_of(CGAL_ext::Map_start start)
-{
-  switch(start) {
-  case CGAL_ext::Map_start::BLENDED_WEIGHTS:
-    return "blended weights";
-  case CGAL_ext::Map_start::UNIFORM_WEIGHTS:
-    return "uniform weights";
-  case CGAL_ext::Map_start::MEAN_VALUE_WEIGHTS:
-    return "mean value weights";
-  case CGAL_ext::Map_start::FIXED_BORDER_FIRST:
-    return "fixed border first";
-  default:
-    return "as chosen";
-  }
-}
-
 /// tells what was done to the mesh, and how good its map is
 inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double total_seconds)
 {
@@ -74,15 +58,17 @@ inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double tot
   if(result.start != CGAL_ext::Map_start::AS_CHOSEN)
     std::cerr << "the usual start led to no map, or to a bad one; this one began with another: "
               << name_of(result.start) << '\n';
-  std::cerr << "L2 stretch " << result.measures.l2 << " at candidate " << *result.search.best_candidate << ", "
-            << result.search.evaluations << " evaluated, " << total_seconds << " s\n";
+  std::cerr << "L2 stretch " << result.measures.l2
+            << (result.search.has_moved_corners ? " with corners moved from candidate " : " at candidate ")
+            << *result.search.best_candidate << ", " << result.search.evaluations << " evaluated, " << total_seconds
+            << " s\n";
 }
 
-/// tells that the samples are too few for the seams
-inline void tell_open_seams(const Job& job)
+/// tells why the samples of seams differ
+inline void tell_open_seams(const CGAL_ext::Square_map_result<Mesh>& result)
 {
-  if(job.image && job.result.cut.seam_edges > 0 && job.result.seam_samples.empty())
-    std::cerr << "the samples do not close at the seams: a larger --resolution may\n";
+  if(!result.seam_message.empty())
+    std::cerr << "the samples do not close at the seams: " << result.seam_message << '\n';
 }
 
 } // namespace square_map

@@ -5,7 +5,7 @@
 #define SQUARE_MAP_REPORT_H
 
 #include "Job.h"
-#include "messages.h"
+#include "name_of_start.h"
 #include "surface_distances.h"
 
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,7 @@ inline nlohmann::ordered_json best_map_report(const Job& job)
   return {{"candidate", *result.search.best_candidate},
           {"corners", corners}, // of the cut mesh
           {"input_corners", input_corners(result.corners, job)},
+          {"has_moved_corners", result.search.has_moved_corners},
           {"l2", result.measures.l2},
           {"linf", result.measures.linf},
           {"symmetric_dirichlet", result.measures.symmetric_dirichlet},
@@ -117,7 +119,7 @@ inline nlohmann::ordered_json numbers(const Eigen::Vector3d& x)
 
 inline nlohmann::ordered_json distance_report(const Surface_distance& distance)
 {
-  return {{"rms", distance.rms}, {"hausdorff", distance.hausdorff}};
+  return {{"rms", distance.rms}, {"hausdorff", distance.hausdorff}, {"triangles_asked", distance.triangles_asked}};
 }
 
 /// points in diagonals of a box, from its center
@@ -131,8 +133,9 @@ inline std::vector<Eigen::Vector3d> in_box(std::vector<Eigen::Vector3d> points, 
 }
 
 /// how well the samples stand for the surface, in diagonals of its box, and what the mesh rebuilt from them is
+/// \param seam_message why the samples on the two sides of the seams differ; empty when they do not
 inline nlohmann::ordered_json image_report(const Geometry_image& image, const Flat_map& map,
-                                           unsigned int number_of_threads)
+                                           const std::string& seam_message, unsigned int number_of_threads)
 {
   std::vector<Eigen::Vector3d> samples;
   for(std::size_t sample : image.mesh.samples)
@@ -149,6 +152,7 @@ inline nlohmann::ordered_json image_report(const Geometry_image& image, const Fl
           {"hausdorff_error", (std::max)(to_image.hausdorff, from_image.hausdorff)},
           {"surface_to_image", distance_report(to_image)},
           {"image_to_surface", distance_report(from_image)},
+          {"seam_message", seam_message},
           {"is_closed", topology.is_closed},
           {"is_manifold", topology.is_manifold},
           {"genus", topology.is_manifold ? nlohmann::ordered_json(topology.genus) : nlohmann::ordered_json(nullptr)}};
@@ -185,7 +189,7 @@ inline nlohmann::ordered_json make_report(const Job& job)
 {
   nlohmann::ordered_json json = map_report(job);
   if(job.image)
-    json["image"] = image_report(*job.image, *job.flat,
+    json["image"] = image_report(*job.image, *job.flat, job.result.seam_message,
                                  static_cast<unsigned int>(job.line.options.search_options.number_of_threads));
   json["threads"] = CGAL_ext::internal::number_of_search_threads(job.line.options.search_options.number_of_threads,
                                                                  static_cast<int>(job.mesh.number_of_vertices()));

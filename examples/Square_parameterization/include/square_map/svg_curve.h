@@ -60,7 +60,8 @@ inline void write_curve(std::ostream& stream, const Job& job)
   write_text(stream, RIGHT, BOTTOM + 22, "middle", std::to_string(search.candidates - 1));
   write_text(stream, (LEFT + RIGHT) / 2, BOTTOM + 38, "middle",
              "candidate: " + std::to_string(search.evaluations) + " of " + std::to_string(search.candidates) +
-                 " mapped, the best is " + std::to_string(*search.best_candidate));
+                 " mapped, the best is " + std::to_string(*search.best_candidate) +
+                 (search.has_moved_corners ? "; its corners then moved" : ""));
   write_text(stream, LEFT, TOP - 16, "start", job.line.minimizer == "optimal" ? "balanced energy" : "L2 stretch");
 }
 

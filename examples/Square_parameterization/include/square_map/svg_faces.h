@@ -9,6 +9,7 @@
 #include "Stretch_colors.h"
 #include "base64.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -18,14 +19,22 @@ namespace square_map {
 
 constexpr std::size_t MOST_FACES_AS_PATHS = 20000;
 
-/// where the unit square lies in a picture
-struct Svg_square
+/// where the unit square, as the rectangle that it stands for, lies in a picture
+struct Svg_rectangle
 {
-  double left, top, size;
+  double left, top, width, height;
 
-  double x(double u) const { return left + u * size; }
-  double y(double v) const { return top + (1 - v) * size; }
+  double x(double u) const { return left + u * width; }
+  double y(double v) const { return top + (1 - v) * height; }
 };
+
+/// the largest rectangle in the middle of another
+/// \param aspect its width over its height
+inline Svg_rectangle rectangle_in(const Svg_rectangle& frame, double aspect)
+{
+  const double width = (std::min)(frame.width, frame.height * aspect), height = width / aspect;
+  return {frame.left + (frame.width - width) / 2, frame.top + (frame.height - height) / 2, width, height};
+}
 
 /// a number with few significant digits
 inline std::string rounded(double x, int digits = 3)
@@ -42,10 +51,12 @@ inline void write_text(std::ostream& stream, double x, double y, const char* anc
 
 /// the faces as paths, one for each color; in whole units of a fiftieth
 inline void write_faces_as_paths(std::ostream& stream, const Flat_map& map, const std::vector<int>& levels,
-                                 const Svg_square& square)
+                                 const Svg_rectangle& domain)
 {
   constexpr double UNITS = 50;
-  const auto unit = [&](int v, int axis) { return std::lround(map.uv(v, axis) * square.size * UNITS); };
+  const auto unit = [&](int v, int axis) {
+    return std::lround(map.uv(v, axis) * (axis == 0 ? domain.width : domain.height) * UNITS);
+  };
   std::vector<std::string> paths(Stretch_colors::LEVELS);
   for(std::size_t f = 0; f < map.triangles.size(); ++f) {
     const auto& [a, b, c] = map.triangles[f];
@@ -57,7 +68,7 @@ inline void write_faces_as_paths(std::ostream& stream, const Flat_map& map, cons
         'M' + std::to_string(unit(a, 0)) + ' ' + std::to_string(unit(a, 1)) + 'l' + step(a, b) + ' ' + step(b, c) + 'z';
   }
   // a thin stroke closes the gaps that programs leave between neighbors
-  stream << "<g transform='translate(" << square.left << ' ' << square.y(0) << ") scale(" << 1 / UNITS << ' '
+  stream << "<g transform='translate(" << domain.left << ' ' << domain.y(0) << ") scale(" << 1 / UNITS << ' '
          << -1 / UNITS << ")' stroke-width='25' stroke-linejoin='round'>\n";
   for(int level = 0; level < Stretch_colors::LEVELS; ++level)
     if(!paths[level].empty()) {
@@ -69,27 +80,28 @@ inline void write_faces_as_paths(std::ostream& stream, const Flat_map& map, cons
 
 /// the faces as a picture, two pixels for each unit
 inline void write_faces_as_picture(std::ostream& stream, const Flat_map& map, const std::vector<int>& levels,
-                                   const Svg_square& square)
+                                   const Svg_rectangle& domain)
 {
-  const int pixels = static_cast<int>(2 * square.size);
-  const CGAL_ext::Grid_size size{pixels, pixels};
+  const auto pixels = [](double units) { return (std::max)(2, static_cast<int>(2 * units)); };
+  const CGAL_ext::Grid_size size{pixels(domain.width), pixels(domain.height)};
   const auto locations = CGAL_ext::internal::locate_samples(map.triangles, map.uv, size);
   const std::string png = png_file(picture_of_samples<std::uint8_t>(
       size, [&](std::size_t s) { return Stretch_colors::color(levels[locations[s].face]); }));
-  stream << "<image x='" << square.left << "' y='" << square.top << "' width='" << square.size << "' height='"
-         << square.size << "' xlink:href='data:image/png;base64," << base64(png) << "'/>\n";
+  stream << "<image x='" << domain.left << "' y='" << domain.top << "' width='" << domain.width << "' height='"
+         << domain.height << "' preserveAspectRatio='none' xlink:href='data:image/png;base64," << base64(png)
+         << "'/>\n";
 }
 
 inline void write_faces(std::ostream& stream, const Flat_map& map, const std::vector<double>& face_stretch,
-                        const Stretch_colors& colors, const Svg_square& square)
+                        const Stretch_colors& colors, const Svg_rectangle& domain)
 {
   std::vector<int> levels;
   for(double stretch : face_stretch)
     levels.push_back(colors.level(stretch));
   if(map.triangles.size() <= MOST_FACES_AS_PATHS)
-    write_faces_as_paths(stream, map, levels, square);
+    write_faces_as_paths(stream, map, levels, domain);
   else
-    write_faces_as_picture(stream, map, levels, square);
+    write_faces_as_picture(stream, map, levels, domain);
 }
 
 } // namespace square_map

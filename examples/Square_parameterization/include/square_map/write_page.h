@@ -5,13 +5,15 @@
 #define SQUARE_MAP_WRITE_PAGE_H
 
 #include "Job.h"
+#include "Map_border.h"
 #include "Packed_arrays.h"
-#include "Seamed_border.h"
 #include "Stretch_colors.h"
 #include "base64.h"
 #include "page_template.h"
 #include "report.h"
 #include "svg_curve.h"
+
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 
 #include <cmath>
 #include <cstdint>
@@ -21,12 +23,14 @@
 
 namespace square_map {
 
-inline std::vector<float> floats(const CGAL_ext::internal::Uv_coordinates& uv)
+/// places of vertices on the rectangle that the unit square stands for, from its center
+inline std::vector<float> places(const CGAL_ext::internal::Uv_coordinates& uv, double aspect)
 {
+  const CGAL_ext::internal::Uv_coordinates centered = CGAL_ext::internal::on_rectangle(uv.array() - 0.5, aspect);
   std::vector<float> result;
-  for(Eigen::Index v = 0; v < uv.rows(); ++v)
+  for(Eigen::Index v = 0; v < centered.rows(); ++v)
     for(int c = 0; c < 2; ++c)
-      result.push_back(static_cast<float>(uv(v, c)));
+      result.push_back(static_cast<float>(centered(v, c)));
   return result;
 }
 
@@ -42,7 +46,7 @@ std::vector<Number> packed(const std::vector<Eigen::Vector3d>& vectors, double s
 }
 
 /// adds the edges of the border, and the number of the seam that each is a side of; -1 for none
-inline void add_border(const Seamed_border& border, Packed_arrays& arrays)
+inline void add_border(const Map_border& border, Packed_arrays& arrays)
 {
   std::vector<std::uint32_t> ends;
   std::vector<std::int32_t> seams(border.number_of_edges(), -1);
@@ -69,13 +73,13 @@ inline Packed_arrays page_arrays(const Flat_map& map, const Job& job, const Firs
   for(const auto& t : map.triangles)
     triangles.insert(triangles.end(), t.begin(), t.end());
   arrays.add("triangles", triangles);
-  arrays.add("uv", floats(map.uv));
+  arrays.add("places", places(map.uv, job.result.aspect));
   arrays.add("stretch", stretch(job.result.measures.face_l2));
   if(first.reason.empty()) {
-    arrays.add("uv_first", floats(first.uv));
+    arrays.add("places_first", places(first.uv, first.aspect));
     arrays.add("stretch_first", stretch(first.measures.face_l2));
   }
-  add_border(Seamed_border(map, job), arrays);
+  add_border(Map_border(map, job), arrays);
   return arrays;
 }
 
@@ -99,6 +103,7 @@ inline nlohmann::ordered_json first_candidate_report(const Job& job, const First
           {"l2", number(measures.l2)},
           {"linf", number(measures.linf)},
           {"symmetric_dirichlet", number(measures.symmetric_dirichlet)},
+          {"aspect", first.aspect},
           {"flipped", measures.flipped_faces}};
 }
 
@@ -111,7 +116,7 @@ inline std::string json_in_page(const nlohmann::ordered_json& json)
   return text;
 }
 
-/// writes the page: the surface in space and on the square, by one script that draws and one that holds the map, without
+/// writes the page: the surface in space and on the square or the rectangle that it stands for, by one script that draws and one that holds the map, without
 /// a request to anywhere. It does not depend on time and threads.
 /// \param first the map of the first candidate; without one the page shows the best map alone
 inline void write_page(std::ostream& stream, const Flat_map& map, const Job& job, const First_candidate& first)

@@ -15,16 +15,16 @@
 namespace square_map {
 
 /// the numbers beside the colors
-inline void write_legend(std::ostream& stream, const Stretch_colors& colors, const Svg_square& square)
+inline void write_legend(std::ostream& stream, const Stretch_colors& colors, const Svg_rectangle& frame)
 {
   constexpr int X = 650, WIDTH = 22;
-  const double step = square.size / Stretch_colors::LEVELS;
+  const double step = frame.height / Stretch_colors::LEVELS;
   for(int level = 0; level < Stretch_colors::LEVELS; ++level)
-    stream << "<rect x='" << X << "' y='" << square.y(0) - (level + 1) * step << "' width='" << WIDTH << "' height='"
+    stream << "<rect x='" << X << "' y='" << frame.y(0) - (level + 1) * step << "' width='" << WIDTH << "' height='"
            << step + 0.5 << "' fill='" << hexadecimal(Stretch_colors::color(level)) << "'/>\n";
   constexpr int TICKS = 6;
   for(int k = 0; k <= TICKS; ++k) {
-    const double share = static_cast<double>(k) / TICKS, y = square.y(share);
+    const double share = static_cast<double>(k) / TICKS, y = frame.y(share);
     stream << "<path d='M" << X + WIDTH << ' ' << y << "h5' stroke='#222'/>";
     write_text(stream, X + WIDTH + 9, y + 4, "start", rounded(colors.stretch_at(share)));
   }
@@ -32,11 +32,12 @@ inline void write_legend(std::ostream& stream, const Stretch_colors& colors, con
 }
 
 /// writes a picture of the map: the faces in the colors of their stretch, the corners with their vertices in the file,
-/// both sides of each seam in one color outside the square, and the curve of the objective over the candidates. 800
+/// both sides of each seam in one color outside the rectangle, and the curve of the objective over the candidates. 800
 /// units wide; beyond 20000 faces these are a PNG picture, so that the file stays small.
 inline void write_svg(std::ostream& stream, const Flat_map& map, const Job& job)
 {
-  const Svg_square square{70, 62, 540};
+  constexpr Svg_rectangle frame{70, 62, 540, 540};
+  const Svg_rectangle domain = rectangle_in(frame, job.result.aspect);
   const Stretch_colors colors(job.result.measures.face_l2);
   const bool has_curve = job.result.search.curve.size() > 1;
   const int height = has_curve ? 900 : 660;
@@ -46,13 +47,13 @@ inline void write_svg(std::ostream& stream, const Flat_map& map, const Job& job)
          << height << "' viewBox='0 0 800 " << height
          << "' font-family='sans-serif' font-size='13' fill='#222'>\n<rect width='800' height='" << height
          << "' fill='white'/>\n";
-  write_text(stream, square.left, 26, "start",
+  write_text(stream, frame.left, 26, "start",
              counted(map.triangles.size(), "face", "faces") + ", L2 stretch " + rounded(job.result.measures.l2) +
                  ", largest stretch " + rounded(job.result.measures.linf));
-  write_faces(stream, map, job.result.measures.face_l2, colors, square);
-  write_seams(stream, map, job, square);
-  write_corners(stream, map, job, square);
-  write_legend(stream, colors, square);
+  write_faces(stream, map, job.result.measures.face_l2, colors, domain);
+  write_seams(stream, map, job, domain);
+  write_corners(stream, map, job, domain);
+  write_legend(stream, colors, frame);
   if(has_curve)
     write_curve(stream, job);
   stream << "</svg>\n";

@@ -28,7 +28,7 @@ namespace square_map {
 
 namespace {
 
-constexpr std::size_t MOST_TRIANGLES = 50000; // of a larger surface every third is asked, every fifth, and so on
+constexpr std::size_t MANY_TRIANGLES = 50000; // from twice as many on, some are asked
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef std::vector<Kernel::Triangle_3>::const_iterator Triangle_iterator;
@@ -71,7 +71,7 @@ Surface_distance distance_to(const Triangles& other, const Triangles& surface, u
   Tree tree(others.begin(), others.end());
   tree.build();
   CGAL_ext::internal::Thread_team team(number_of_threads, std::numeric_limits<int>::max());
-  const std::size_t stride = surface.triangles.size() / MOST_TRIANGLES | 1; // odd: a grid has two triangles a square
+  const std::size_t stride = surface.triangles.size() / MANY_TRIANGLES | 1; // odd: a grid has two triangles a square
   std::vector<Eigen::Vector3d> points;                                      // three corners and the centroid of each
   std::vector<double> areas;
   for(std::size_t f = 0; f < surface.triangles.size(); f += stride) {
@@ -89,7 +89,7 @@ Surface_distance distance_to(const Triangles& other, const Triangles& surface, u
   }
   const double area = std::accumulate(areas.begin(), areas.end(), 0.);
   const double largest = *std::max_element(squared.begin(), squared.end());
-  return {area > 0 ? std::sqrt(sum / area) : 0, std::sqrt(largest)};
+  return {area > 0 ? std::sqrt(sum / area) : 0, std::sqrt(largest), areas.size()};
 }
 
 } // namespace square_map

@@ -18,13 +18,15 @@ inline bool has_passed(const Deadline& deadline)
   return deadline && std::chrono::steady_clock::now() >= *deadline;
 }
 
-/// the deadline of the first of two parts of the work, which has half of the time that is left
-inline Deadline half_way_to(const Deadline& deadline)
+/// the deadline of the first of two parts of the work
+/// \param share of the time that is left that the part has, in [0, 1]
+inline Deadline part_way_to(const Deadline& deadline, double share)
 {
   if(!deadline)
     return deadline;
-  const auto now = std::chrono::steady_clock::now();
-  return now + (*deadline - now) / 2;
+  typedef std::chrono::steady_clock Clock;
+  const Clock::time_point now = Clock::now();
+  return now + std::chrono::duration_cast<Clock::duration>(share * (*deadline - now));
 }
 
 } // namespace internal

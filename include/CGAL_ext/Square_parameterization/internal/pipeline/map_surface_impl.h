@@ -56,7 +56,7 @@ inline Seam_options seam_options(const Square_map_settings& settings)
 {
   Seam_options options(settings.cut);
   options.number_of_threads = settings.search_options.number_of_threads;
-  options.deadline = half_way_to(settings.search_options.deadline);
+  options.deadline = part_way_to(settings.search_options.deadline, 0.5);
   options.visitor = settings.search_options.visitor;
   if(const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization))
     options.balance = balanced->balance;
@@ -173,15 +173,26 @@ inline std::vector<int> originals_in_disk(const Surface_edits& edits, int surfac
   return originals;
 }
 
+/// the settings of the search, which leaves some of the time to the map for the seams
+inline Square_map_settings with_time_for_seams(Square_map_settings settings)
+{
+  settings.search_options.deadline = part_way_to(settings.search_options.deadline, 0.75);
+  return settings;
+}
+
 /// gives both sides of the seams the same samples of the grid that was asked for, where that is possible
 inline void share_seam_samples(const Patch& patch, const std::vector<int>& originals,
                                const Square_map_settings& settings, Search_outcome& outcome, Square_map_report& report)
 {
-  Aligned_map aligned =
-      align_seams(patch, originals, outcome.map.uv, outcome.report.corners, *settings.seam_grid, settings.minimization);
-  if(aligned.map.uv.rows() == 0)
+  report.seam_grid = settings.fits_seam_grid ? settings.seam_grid->fitted_to(outcome.map.aspect) : *settings.seam_grid;
+  Aligned_map aligned = align_seams(patch, originals, outcome.map.uv, outcome.report.corners, *report.seam_grid,
+                                    settings.minimization, settings.search_options.deadline);
+  report.search.is_cancelled |= aligned.is_cancelled;
+  report.seam_message = std::move(aligned.message);
+  if(!report.seam_message.empty())
     return;
   outcome.map = std::move(aligned.map);
+  report.search.has_moved_corners |= aligned.corners != outcome.report.corners;
   outcome.report.corners = report.search.corners = aligned.corners;
   report.seam_samples = std::move(aligned.seam_samples);
   report.minimization = outcome.map.report;
@@ -217,9 +228,11 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   const auto search_start = Clock::now();
   report.condition_seconds = seconds_between(condition_start, search_start);
 
-  Search_outcome outcome = map_patch(patch, *minimizer, corners, settings, report);
+  const bool has_seams_to_fit = settings.seam_grid && !disk.edits.copies.empty();
+  Search_outcome outcome =
+      map_patch(patch, *minimizer, corners, has_seams_to_fit ? with_time_for_seams(settings) : settings, report);
   report.search_seconds = seconds_between(search_start, Clock::now());
-  if(settings.seam_grid && !disk.edits.copies.empty())
+  if(has_seams_to_fit)
     share_seam_samples(patch,
                        originals_in_disk(disk.edits, static_cast<int>(mesh.points.size()), patch.number_of_vertices()),
                        settings, outcome, report);

@@ -7,7 +7,7 @@
 #include <CGAL_ext/Square_parameterization/Grid_size.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Disjoint_sets.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_open.h>
-#include <CGAL_ext/Square_parameterization/internal/sampling/align_seams.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/grid_border.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
 #include <algorithm>

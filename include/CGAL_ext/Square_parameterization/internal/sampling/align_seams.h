@@ -5,14 +5,17 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SAMPLING_ALIGN_SEAMS_H
 
 #include <CGAL_ext/Square_parameterization/Minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/Seam_fit.h>
-#include <CGAL_ext/Square_parameterization/internal/sampling/locate_samples.h>
+#include <CGAL_ext/Square_parameterization/internal/sampling/grid_border.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -25,35 +28,13 @@ namespace internal {
 /// a map whose seams have the same samples of a grid on both sides
 struct Aligned_map
 {
-  Minimized_map map; ///< without uv when there is none
+  std::string message;       ///< why there is no map; empty when there is one
+  bool is_cancelled = false; ///< the deadline ended it
+  Minimized_map map;
   Corners corners{}; ///< positions in the border loop
   /// pairs of samples of the border that are the same point of the surface, counted counter-clockwise from (0, 0)
   std::vector<std::array<int, 2>> seam_samples;
 };
-
-/// number of samples on the border of a grid
-inline int number_of_border_samples(const Grid_size& grid)
-{
-  return 2 * (grid.width - 1) + 2 * (grid.height - 1);
-}
-
-/// the number, row by row, of a sample of the border that is counted counter-clockwise from (0, 0)
-inline std::size_t grid_sample(int border_sample, const Grid_size& grid)
-{
-  const int right = grid.width - 1, top = grid.height - 1;
-  int i = border_sample, j = 0;
-  if(border_sample >= 2 * right + top) {
-    i = 0;
-    j = number_of_border_samples(grid) - border_sample;
-  } else if(border_sample >= right + top) {
-    i = 2 * right + top - border_sample;
-    j = top;
-  } else if(border_sample >= right) {
-    i = right;
-    j = border_sample - right;
-  }
-  return static_cast<std::size_t>(j) * grid.width + i;
-}
 
 /// the point of the square at \p position intervals from the beginning of a side: exactly a sample at a whole number
 inline Uv_point point_on_side(int side, double position, const Grid_size& grid)
@@ -144,6 +125,18 @@ inline Seamed_border seamed_border(const Patch& patch, const std::vector<int>& o
   return border;
 }
 
+/// why no numbers of intervals fit
+inline std::string why_nothing_fits(const Seamed_border& border, const Corners& corners, const Grid_size& grid)
+{
+  const std::vector<int> least = least_counts(border, border_segments(border.partners, corners));
+  const int needed = std::accumulate(least.begin(), least.end(), 0), given = number_of_border_samples(grid);
+  if(needed > given)
+    return "the pieces into which seams and corners divide the border need " + std::to_string(needed) +
+           " intervals between samples, and the border of the grid has " + std::to_string(given);
+  return "no numbers of intervals between samples are the same on both sides of every seam and fill the sides of the "
+         "grid";
+}
+
 /// maps a patch that was cut open once more, so that the two sides of every seam have the same samples of a grid: each
 /// gets the same number of intervals, near the mean of what both have in a given map, and the border is fixed so; after
 /// Gu, Gortler and Hoppe 2002. The ends of seams, the corners, and what lies across a seam from a corner are samples.
@@ -152,19 +145,32 @@ inline Seamed_border seamed_border(const Patch& patch, const std::vector<int>& o
 /// \param originals #V, the vertices of the uncut surface
 /// \param uv #V by 2, a map onto the unit square
 /// \param corners its corners, positions in the border loop
-/// \return without uv when the grid has too few samples for the seams, or no one-to-one map was found
+/// \param deadline when it has passed no map is begun, and what is being minimised is left as it is
+/// \return with a message when the grid has too few samples for the seams, or there is no time for a map, or no
+/// one-to-one one was found
 inline Aligned_map align_seams(const Patch& patch, const std::vector<int>& originals, const Uv_coordinates& uv,
-                               const Corners& corners, const Grid_size& grid, const Minimization& minimization)
+                               const Corners& corners, const Grid_size& grid, const Minimization& minimization,
+                               const Deadline& deadline)
 {
   Aligned_map result;
+  if(has_passed(deadline)) {
+    result.message = "the time was over before the map with the same samples on both sides was begun";
+    result.is_cancelled = true;
+    return result;
+  }
   const Seamed_border border = seamed_border(patch, originals, uv);
   const auto fit = fit_seams_somehow(border, corners, grid);
-  if(!fit)
+  if(!fit) {
+    result.message = why_nothing_fits(border, corners, grid);
     return result;
+  }
   const Uv_coordinates border_uv = aligned_border(border, *fit, grid, result.seam_samples);
   result.corners = fit->corners;
-  const auto minimizer = make_minimizer(patch, with_fixed_border(minimization));
+  const auto minimizer = make_minimizer(patch, with_fixed_border(minimization), deadline);
   result.map = minimizer->finish(minimizer->make_worker()(border_uv, nullptr));
+  result.is_cancelled = result.map.report.stop_reason == Stop_reason::DEADLINE;
+  if(result.map.uv.rows() == 0)
+    result.message = "the map with the same samples on both sides of every seam is not one-to-one";
   return result;
 }
 

@@ -26,12 +26,14 @@ namespace internal {
 class Corner_evaluation
 {
 public:
+  /// \param visitor told of each map, by one thread at a time; may be null
   /// \param may_continue asked before each map, by one thread at a time; `false` stops
   Corner_evaluation(std::function<Map_minimizer::Worker()> make_worker, const Patch& patch,
-                    unsigned int number_of_threads, std::function<bool()> may_continue)
+                    unsigned int number_of_threads, Search_visitor* visitor, std::function<bool()> may_continue)
     : m_workers(std::move(make_worker)),
       m_loop(patch.border_lengths, Walk::COUNTER_CLOCKWISE),
       m_team(number_of_threads, MOST_TASKS),
+      m_visitor(visitor),
       m_may_continue(std::move(may_continue))
   {}
 
@@ -63,6 +65,9 @@ public:
     return objectives;
   }
 
+  /// frees the memory of the threads. \pre no more corners are mapped
+  void release_workers() { m_workers.clear(); }
+
   /// the number of choices evaluated
   std::size_t number_of_choices() const { return m_number_of_choices; }
 
@@ -88,14 +93,19 @@ private:
   Minimized_map map_for(const Corners& corners)
   {
     const Square_border border = square_border(m_loop, corners);
-    return m_workers.lend([&](const Map_minimizer::Worker& worker) { return worker(border.uv, nullptr); });
+    Minimized_map map = m_workers.lend([&](const Map_minimizer::Worker& worker) { return worker(border.uv, nullptr); });
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_visitor != nullptr)
+      m_visitor->after_corner_move();
+    return map;
   }
 
   Worker_pool<Map_minimizer::Worker> m_workers;
   const Border_walk m_loop;
   Thread_team m_team;
+  Search_visitor* m_visitor;
   std::function<bool()> m_may_continue;
-  std::mutex m_mutex; // of the callback
+  std::mutex m_mutex; // of the callback and the visitor
   bool m_is_cancelled = false;
   std::size_t m_number_of_choices = 0;
   Minimized_map m_best_map;

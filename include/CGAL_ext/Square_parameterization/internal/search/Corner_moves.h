@@ -73,24 +73,29 @@ public:
     return choices;
   }
 
-  /// moves corners downhill. All moves are tried at the first step, at the last, and wherever one of them led down; where
-  /// none did, the steps between only go where the parabolas through the three objectives to and fro have their lowest
-  /// points.
+  /// how thoroughly corners are moved
+  enum Effort
+  {
+    ALL,   ///< all moves with every step: where the energy has many valleys
+    LIKELY ///< all moves with the first step, the last, and wherever one of them led down; where none did, the steps
+           ///< between only go where the parabolas through the three objectives to and fro have their lowest points
+  };
+
+  /// moves corners downhill
   /// \param first_step in border vertices
-  Choice descend(Corners corners, int first_step)
+  Choice descend(Corners corners, int first_step, Effort effort = ALL)
   {
     Choice best = compare({corners}).front();
-    int step = (std::max)(1, first_step);
     std::vector<Move> moves = all_moves();
-    while(step > 0) {
+    for(int step = (std::max)(1, first_step); step > 0;) {
       const std::vector<Choice> choices = compare(moved(best.corners, moves, step));
       if(!choices.empty() && choices.front().objective < best.objective) {
         best = choices.front();
         moves = all_moves();
         continue;
       }
-      const bool are_all = moves.size() == all_moves().size();
-      moves = are_all ? moves_to_bottoms(best, step) : moves;
+      if(effort == LIKELY && moves.size() == all_moves().size())
+        moves = moves_to_bottoms(best, step);
       step /= 2;
       if(step == 1)
         moves = all_moves();

@@ -6,8 +6,8 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Free_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -54,19 +53,16 @@ public:
       m_evaluation(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
           options.visitor, [this](double share) { return may_continue(share, m_options.deadline); }),
-      m_corner_maps([this] { return m_minimizer.make_worker(); }, patch, m_threads,
-                    [this] { return may_continue(1, m_options.deadline); })
+      m_corners(
+          patch, minimizer, m_threads, options.visitor, [this] { return may_continue(1, m_options.deadline); },
+          // while nothing is mapped, time is left for that
+          [this] { return may_continue(1, has_map() ? m_options.deadline : m_sketch_deadline); })
   {
-    if(minimizer.has_sketches()) {
+    m_sketch_visitor.visitor = options.visitor;
+    if(minimizer.has_sketches())
       m_sketches.emplace(
           m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
-          nullptr, [this](double) { return may_continue(0, m_sketch_deadline); });
-      m_corner_sketches.emplace([this] { return m_minimizer.make_sketching_worker(); }, patch, m_threads,
-                                [this] { return may_compare_corners(); });
-    }
-    if(minimizer.has_rough_maps())
-      m_rough_maps.emplace([this] { return m_minimizer.make_rough_worker(); }, patch, m_threads,
-                           [this] { return may_compare_corners(); });
+          &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 
   Search_outcome operator()()
@@ -76,10 +72,11 @@ public:
     ask(problem());
     if(!has_map() && m_sketches && has_passed(m_sketch_deadline))
       m_settled_for = m_sketches->report().best_candidate; // the time for sketches ended before the search did
-    const bool is_moved = m_options.moves_corners && m_rough_maps && move_corners();
+    const bool is_moved = move_corners();
     if(m_settled_for && !is_moved)
       map_settled_for();
     m_evaluation.release_workers();
+    m_corners.release_workers();
     if(m_options.visitor != nullptr)
       m_options.visitor->start_minimization();
     Search_outcome outcome = best();
@@ -93,23 +90,29 @@ public:
   }
 
 private:
-  static constexpr double CERTAIN = 1e-3; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
+  /// tells of sketches what others tell of evaluations
+  struct Sketch_visitor : Search_visitor
+  {
+    void after_evaluation(const Search_report::Sample& sample) override
+    {
+      if(visitor != nullptr)
+        visitor->after_sketch(sample);
+    }
+
+    Search_visitor* visitor = nullptr;
+  };
 
   bool may_continue(double share, const Deadline& deadline) const
   {
     return !has_passed(deadline) && (!m_options.callback || m_options.callback(share));
   }
 
-  /// while nothing is mapped, time is left for that
-  bool may_compare_corners() const { return may_continue(1, has_map() ? m_options.deadline : m_sketch_deadline); }
-
-  bool has_map() const { return m_evaluation.best_map().uv.rows() > 0 || m_corner_maps.best_map().uv.rows() > 0; }
+  bool has_map() const { return m_evaluation.best_map().uv.rows() > 0 || m_corners.best_map().uv.rows() > 0; }
 
   void ask(Corner_search_problem problem)
   {
-    run_corner_search(m_search, std::move(problem), [this] {
-      return m_settled_for || !m_evaluation.is_untouched() || m_corner_maps.number_of_choices() > 0;
-    });
+    run_corner_search(m_search, std::move(problem),
+                      [this] { return m_settled_for || !m_evaluation.is_untouched() || !m_corners.is_untouched(); });
   }
 
   /// maps the candidate that was settled for; when it has no map, sketches mislead, and the strategy is asked again
@@ -126,53 +129,12 @@ private:
     ask(without_sketches(problem()));
   }
 
-  /// moves the four corners on their own on rough maps, from those of the best candidate and, where the rectangle is not
-  /// the square, from others, and maps for what comes out. False when the best candidate may still be better.
+  /// moves the corners from those of the best candidate; false when it may still be better than what comes out
   bool move_corners()
   {
     const std::optional<int> candidate = m_settled_for ? m_settled_for : m_evaluation.report().best_candidate;
-    if(!candidate || m_evaluation.report().is_cancelled)
-      return false;
-    const Corners start = border_of(*candidate).corners;
-    try {
-      std::vector<Corners> ends = ends_of_moves(start);
-      const bool is_certain = m_corner_sketches && keep_best_sketch(start, ends);
-      m_corner_maps(ends);
-      return is_certain && has_map();
-    } catch(const Search_cancelled&) {
-      m_are_moves_cancelled = true;
-      return false;
-    }
-  }
-
-  /// where the corners come to rest, but for the start itself
-  std::vector<Corners> ends_of_moves(const Corners& start)
-  {
-    Corner_moves moves(m_patch.border_lengths, [&](const auto& choices) { return (*m_rough_maps)(choices); });
-    moves.compare({start});
-    std::vector<Corners> starts{start};
-    if(m_rough_maps->best_map().aspect != 1)
-      for(const Corner_moves::Choice& choice : moves.best_of_spread())
-        starts.push_back(choice.corners);
-    std::set<Corners> ends;
-    for(const Corners& corners : starts)
-      ends.insert(moves.descend(corners, static_cast<int>(m_patch.border.size()) / 8).corners);
-    ends.erase(start);
-    return {ends.begin(), ends.end()};
-  }
-
-  /// keeps the choice with the best sketch, if that is better than the one of the start, and tells whether it is better
-  /// for certain
-  bool keep_best_sketch(const Corners& start, std::vector<Corners>& choices)
-  {
-    choices.push_back(start);
-    const std::vector<double> sketched = (*m_corner_sketches)(choices);
-    const auto least = std::min_element(sketched.begin(), sketched.end());
-    const Corners best = choices[least - sketched.begin()];
-    choices.clear();
-    if(best != start)
-      choices.push_back(best);
-    return *least < (1 - CERTAIN) * sketched.back();
+    return m_options.moves_corners && m_corners.has_rough_maps() && candidate && !m_evaluation.report().is_cancelled &&
+           m_corners.move(border_of(*candidate).corners);
   }
 
   Square_border border_of(int candidate) const
@@ -199,10 +161,10 @@ private:
     problem.objective_from_neighbors = [this](const std::vector<int>& candidates) {
       return m_evaluation(candidates, true);
     };
-    problem.objective_of_corners = [this](const std::vector<Corners>& choices) { return m_corner_maps(choices); };
-    if(m_rough_maps)
+    problem.objective_of_corners = [this](const std::vector<Corners>& choices) { return m_corners.map(choices); };
+    if(m_corners.has_rough_maps())
       problem.rough_objective_of_corners = [this](const std::vector<Corners>& choices) {
-        return (*m_rough_maps)(choices);
+        return m_corners.map_roughly(choices);
       };
     if(m_sketches) {
       problem.sketched_objective_of = [this](const std::vector<int>& candidates) { return (*m_sketches)(candidates); };
@@ -236,13 +198,13 @@ private:
       report.best_candidate = m_settled_for;
     if(report.best_candidate)
       report.corners = border_of(*report.best_candidate).corners;
-    if(m_corner_maps.best_map().report.objective < outcome.map.report.objective) {
-      outcome.map = m_corner_maps.best_map();
-      report.corners = m_corner_maps.best_corners();
+    if(m_corners.best_map().report.objective < outcome.map.report.objective) {
+      outcome.map = m_corners.best_map();
+      report.corners = m_corners.best_corners();
+      report.has_moved_corners = true;
     }
-    report.is_cancelled |= m_are_moves_cancelled;
-    if(m_rough_maps)
-      report.corner_moves = m_rough_maps->number_of_choices();
+    report.is_cancelled |= m_corners.is_cancelled();
+    report.corner_moves = m_corners.number_of_choices();
     if(m_sketches) {
       const Search_report sketching = m_sketches->report();
       report.sketches = sketching.evaluations;
@@ -256,17 +218,15 @@ private:
   const Map_minimizer& m_minimizer;
   const Corner_search& m_search;
   const Square_search_options& m_options;
-  const Deadline m_sketch_deadline = half_way_to(m_options.deadline);
+  const Deadline m_sketch_deadline = part_way_to(m_options.deadline, 0.5);
   const Border_walk m_walk;
   const int m_number_of_candidates;
   const unsigned int m_threads;
   Candidate_evaluation m_evaluation;
-  Corner_evaluation m_corner_maps;
-  std::optional<Candidate_evaluation> m_sketches;     // of candidates
-  std::optional<Corner_evaluation> m_corner_sketches; // of corners of their own
-  std::optional<Corner_evaluation> m_rough_maps;
+  Sketch_visitor m_sketch_visitor;
+  std::optional<Candidate_evaluation> m_sketches;
+  Free_corners m_corners;
   std::optional<int> m_settled_for; // a candidate that is known by its sketch alone
-  bool m_are_moves_cancelled = false;
 };
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer,

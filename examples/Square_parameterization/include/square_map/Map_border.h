@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SQUARE_MAP_SEAMED_BORDER_H
-#define SQUARE_MAP_SEAMED_BORDER_H
+#ifndef SQUARE_MAP_MAP_BORDER_H
+#define SQUARE_MAP_MAP_BORDER_H
 
 #include "Flat_map.h"
 #include "Job.h"
@@ -27,12 +27,12 @@ inline Color seam_color(std::size_t k)
 }
 
 /// the border of the map, from the vertex at (0, 0) on, and the seams that its edges are sides of
-class Seamed_border
+class Map_border
 {
 public:
   typedef CGAL_ext::internal::Border_segment Border_segment;
 
-  Seamed_border(const Flat_map& map, const Job& job)
+  Map_border(const Flat_map& map, const Job& job)
   {
     using namespace CGAL_ext::internal;
     Surface_arrays arrays;
@@ -75,4 +75,4 @@ private:
 
 } // namespace square_map
 
-#endif // SQUARE_MAP_SEAMED_BORDER_H
+#endif // SQUARE_MAP_MAP_BORDER_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_FREE_CORNERS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_FREE_CORNERS_H
+
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// four corners of their own: maps for them, on the patch and on coarse ones, and their moves
+class Free_corners
+{
+public:
+  /// \param may_map asked before each map of the patch, \p may_compare before each map of a coarse patch, by one thread
+  ///        at a time; `false` stops
+  Free_corners(const Patch& patch, const Map_minimizer& minimizer, unsigned int number_of_threads,
+               Search_visitor* visitor, const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
+    : m_patch(patch),
+      m_maps([&minimizer] { return minimizer.make_worker(); }, patch, number_of_threads, visitor, may_map)
+  {
+    if(minimizer.has_sketches())
+      m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,
+                         may_compare);
+    if(minimizer.has_rough_maps())
+      m_rough_maps.emplace([&minimizer] { return minimizer.make_rough_worker(); }, patch, number_of_threads, visitor,
+                           may_compare);
+  }
+
+  /// the objectives of choices of corners; see `Corner_search_problem`
+  std::vector<double> map(const std::vector<Corners>& choices) { return m_maps(choices); }
+  std::vector<double> map_roughly(const std::vector<Corners>& choices) { return (*m_rough_maps)(choices); }
+
+  bool has_rough_maps() const { return m_rough_maps.has_value(); }
+  const Minimized_map& best_map() const { return m_maps.best_map(); }
+  const Corners& best_corners() const { return m_maps.best_corners(); }
+
+  /// indicates whether choices were mapped, or could not be
+  bool is_untouched() const { return m_maps.number_of_choices() == 0; }
+
+  /// the number of choices that were compared
+  std::size_t number_of_choices() const { return has_rough_maps() ? m_rough_maps->number_of_choices() : 0; }
+
+  bool is_cancelled() const { return m_is_cancelled; }
+
+  /// frees the memory of the threads. \pre no more corners are mapped
+  void release_workers()
+  {
+    m_maps.release_workers();
+    m_sketches.reset();
+    if(m_rough_maps)
+      m_rough_maps->release_workers();
+  }
+
+  /// moves the four corners on rough maps, from the given ones and, where the rectangle is not the square, from others,
+  /// and maps for what comes out. False when the given ones may still be better.
+  bool move(const Corners& start)
+  {
+    try {
+      std::vector<Corners> ends = ends_of_moves(start);
+      const bool is_certain = m_sketches && keep_best_sketch(start, ends);
+      m_maps(ends);
+      return is_certain && best_map().uv.rows() > 0;
+    } catch(const Search_cancelled&) {
+      m_is_cancelled = true;
+      return false;
+    }
+  }
+
+private:
+  static constexpr double CERTAIN = 1e-3; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
+
+  /// where the corners come to rest, but for the start itself
+  std::vector<Corners> ends_of_moves(const Corners& start)
+  {
+    Corner_moves moves(m_patch.border_lengths, [this](const auto& choices) { return map_roughly(choices); });
+    moves.compare({start});
+    const bool is_square = m_rough_maps->best_map().aspect == 1;
+    std::vector<Corners> starts{start};
+    if(!is_square)
+      for(const Corner_moves::Choice& choice : moves.best_of_spread())
+        starts.push_back(choice.corners);
+    const int first_step = static_cast<int>(m_patch.border.size()) / 8;
+    std::set<Corners> ends;
+    for(const Corners& corners : starts)
+      ends.insert(moves.descend(corners, first_step, is_square ? Corner_moves::LIKELY : Corner_moves::ALL).corners);
+    ends.erase(start);
+    return {ends.begin(), ends.end()};
+  }
+
+  /// keeps the choice with the best sketch, if that is better than the one of the start, and tells whether it is better
+  /// for certain
+  bool keep_best_sketch(const Corners& start, std::vector<Corners>& choices)
+  {
+    choices.push_back(start);
+    const std::vector<double> sketched = (*m_sketches)(choices);
+    const auto least = std::min_element(sketched.begin(), sketched.end());
+    const Corners best = choices[least - sketched.begin()];
+    choices.clear();
+    if(best != start)
+      choices.push_back(best);
+    return *least < (1 - CERTAIN) * sketched.back();
+  }
+
+  const Patch& m_patch;
+  Corner_evaluation m_maps;
+  std::optional<Corner_evaluation> m_sketches, m_rough_maps;
+  bool m_is_cancelled = false;
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_FREE_CORNERS_H

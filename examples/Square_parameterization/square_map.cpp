@@ -3,6 +3,7 @@
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
 #include "include/square_map/add_outputs.h"
+#include "include/square_map/known_curve.h"
 #include "include/square_map/messages.h"
 #include "include/square_map/out_of_memory.h"
 #include "include/square_map/sample_map.h"
@@ -13,8 +14,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <numeric>
+#include <optional>
 #include <system_error>
 
 namespace {
@@ -120,12 +123,30 @@ void map_mesh(Job& job, Progress& progress)
 {
   Command_line& line = job.line;
   progress.start("mapping");
+  std::optional<Known_curve> curve;
+  if(!line.curves.empty())
+    curve = read_curves(line.curves);
+  if(curve)
+    line.options.search = curve->search(line.options.search);
   line.options.search_options.visitor = &progress;
   job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(line.options));
   line.options.search_options.visitor = nullptr;
   if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
     refuse_corners(*line.corners, job.result);
+  if(curve)
+    curve->complete(job.result.search);
   job.originals = originals_of(job.result, job.uncut_vertices);
+}
+
+/// indicates whether the curve of a slice is all that was asked for, and was found: that no candidate has a map is a
+/// result then
+bool has_curve_alone(const Job& job)
+{
+  const Command_line& line = job.line;
+  const std::vector<std::string> maps{line.output,    line.svg,   line.page,       line.grid_mesh,
+                                      line.thumbnail, line.image, line.normal_map, line.attributes};
+  return line.candidates && job.result.search.evaluations > 0 && !job.result.search.is_cancelled &&
+         std::all_of(maps.begin(), maps.end(), [](const std::string& name) { return name.empty(); });
 }
 
 /// runs the whole job; problems leave as exceptions, and with them no output file
@@ -153,6 +174,10 @@ Exit_status run(Command_line command_line)
     progress.clear();
     std::cerr << "square_map: " << (result.search.is_cancelled ? "the time limit was reached: " : "") << result.message
               << '\n';
+    if(has_curve_alone(job)) {
+      outputs.write_and_commit();
+      return DONE;
+    }
     return result.search.evaluations == 0 && !result.search.is_cancelled ? UNMAPPABLE : NO_ONE_TO_ONE_MAP;
   }
   sample_map(job, progress);

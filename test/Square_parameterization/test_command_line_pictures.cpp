@@ -168,3 +168,27 @@ TEST_CASE("values of pictures that make no sense are refused, and nothing is wri
     for(const std::string& output : {map, folder / "map.glb"})
       check_refusal(folder, {input, "-o", output, "--texture", texture}, BAD_FILE, "cannot read the texture");
 }
+
+TEST_CASE("a thumbnail shows the surface in a checkerboard, in white surroundings")
+{
+  const Temporary_folder folder;
+  for(const Soup& soup : {sheet(8, 8), soup_of(ellipsoid(3))}) {
+    const Finished_process result =
+        square_map({folder.add("in.off", off(soup)), "--quiet", "--thumbnail", folder / "t.png"});
+    INFO(result.err);
+    REQUIRE(result.status == DONE);
+    const auto image = read_png<std::uint8_t>(read_file(folder / "t.png"), PNG_FORMAT_RGB);
+    CHECK(image.width == 160);
+    CHECK(image.height == 160);
+    std::size_t white = 0, light = 0, dark = 0;
+    for(const auto& pixel : image.pixels) {
+      const bool is_blue = pixel[2] > pixel[0] + 20;
+      ++(pixel == std::array<std::uint8_t, 3>{255, 255, 255} ? white : is_blue ? dark : light);
+    }
+    // both colors of the board are there alike, and the surface fills the picture in one direction
+    CHECK(white > image.pixels.size() / 20);
+    CHECK(light > image.pixels.size() / 10);
+    CHECK(dark > image.pixels.size() / 10);
+    CHECK(double(light) / double(dark) == Approx(1).margin(0.5));
+  }
+}

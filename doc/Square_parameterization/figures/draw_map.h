@@ -4,7 +4,7 @@
 #ifndef FIGURES_DRAW_MAP_H
 #define FIGURES_DRAW_MAP_H
 
-#include "Canvas.h"
+#include "square_map/surface_view.h"
 
 #include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
@@ -29,6 +29,11 @@ namespace figures {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+using square_map::Canvas;
+using square_map::checkerboard_at;
+using square_map::Color;
+using square_map::Place;
+using square_map::Surface_view;
 typedef square_map::Picture<std::uint8_t> Picture;
 
 /// options of maps whose corners are those of a candidate, unless a figure is about corners that move
@@ -110,14 +115,6 @@ struct Only_candidate
   void operator()(const CGAL_ext::Corner_search_problem& problem) const { problem.objective_of({candidate}); }
 };
 
-inline Eigen::Vector3d checkerboard_at(double u, double v)
-{
-  constexpr int SQUARES = 24;
-  const bool is_light =
-      (static_cast<int>(std::floor(u * SQUARES)) + static_cast<int>(std::floor(v * SQUARES))) % 2 == 0;
-  return is_light ? Eigen::Vector3d(240, 240, 235) : Eigen::Vector3d(60, 90, 140);
-}
-
 inline const std::array<Color, 4> CORNER_COLORS{Color{213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}};
 
 /// how a picture is drawn
@@ -154,7 +151,7 @@ inline Picture draw(const Map& map, const std::vector<Place>& places, const std:
         brightness += w[k] * light[t[k]];
       }
       const Eigen::Vector3d color =
-          style.has_checkerboard ? checkerboard_at(u * scale.x(), v * scale.y()) : Eigen::Vector3d(205, 215, 228);
+          style.has_checkerboard ? checkerboard_at(u * scale.x(), v * scale.y(), 24) : Eigen::Vector3d(205, 215, 228);
       return Eigen::Vector3d(brightness * (style.has_edges && distance < 0.45 ? 0.35 : 1.) * color);
     });
   for(const auto& [a, b] : map.border)
@@ -168,26 +165,16 @@ inline Picture draw(const Map& map, const std::vector<Place>& places, const std:
 /// the surface from the front
 inline Picture draw_surface(const Map& map, const Style& style = {})
 {
-  Eigen::Vector3d front = style.front, center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d front = style.front;
   if(front.isZero(0))
     for(const Eigen::Vector3d& n : map.normals)
       front += n;
-  Eigen::AlignedBox3d box;
-  for(const Eigen::Vector3d& p : map.points)
-    box.extend(p);
-  center = box.center();
-  Eigen::Matrix3d view;
-  view.row(2) = front.normalized();
-  view.row(0) = style.up.cross(front).normalized();
-  view.row(1) = view.row(2).cross(view.row(0));
-  double extent = 0;
-  for(const Eigen::Vector3d& p : map.points)
-    extent = (std::max)(extent, (view * (p - center)).head<2>().cwiseAbs().maxCoeff());
+  const Surface_view view(map.points, front, style.up);
   std::vector<Place> places;
   std::vector<double> light;
   for(std::size_t v = 0; v < map.points.size(); ++v) {
-    places.push_back(view * (map.points[v] - center) * (0.46 / extent) + Eigen::Vector3d::Constant(0.5));
-    light.push_back(0.35 + 0.65 * std::abs(view.row(2).dot(map.normals[v])));
+    places.push_back(view.place(map.points[v]));
+    light.push_back(view.light(map.normals[v]));
   }
   return draw(map, places, light, style, style.size);
 }
@@ -203,6 +190,25 @@ inline Picture draw_domain(const Map& map, const Style& style)
     places.emplace_back((0.04 + sides.x() * map.uv(v, 0)) / width, 0.5 + sides.y() * (map.uv(v, 1) - 0.5), 0.5);
   return draw(map, places, std::vector<double>(map.points.size(), 1.), style,
               static_cast<int>(std::lround(width * style.size)));
+}
+
+/// pictures of one height side by side
+inline Picture side_by_side(const std::vector<Picture>& pictures)
+{
+  constexpr int GAP = 24;
+  Picture result{-GAP, pictures.front().height, {}};
+  for(const auto& picture : pictures)
+    result.width += picture.width + GAP;
+  result.pixels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height),
+                       {255, 255, 255});
+  int left = 0;
+  for(auto picture : pictures) {
+    for(int y = 0; y < picture.height; ++y)
+      for(int x = 0; x < picture.width; ++x)
+        result.at(left + x, y) = picture.at(x, y);
+    left += picture.width + GAP;
+  }
+  return result;
 }
 
 } // namespace figures

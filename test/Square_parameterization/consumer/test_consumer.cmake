@@ -16,9 +16,13 @@ set(folder ${BINARY_DIR}/consumer)
 file(REMOVE_RECURSE ${folder})
 check_consumer(${BINARY_DIR} ${folder}/as_is -D CMAKE_PREFIX_PATH=${folder}/as_is/installed)
 
-run(${CMAKE_COMMAND} -S ${PACKAGE_DIR} -B ${folder}/package -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
-    -D CMAKE_INSTALL_INCLUDEDIR=headers/of/packages -D CMAKE_INSTALL_LIBDIR=lib/other -D CGAL_EXT_BUILD_EXAMPLES=OFF
-    -D CGAL_EXT_BUILD_TESTS=OFF -D CGAL_EXT_BUILD_BENCHMARKS=OFF -D CGAL_EXT_BUILD_DOCUMENTATION=OFF)
+# the library alone takes nothing of what the tests and the command need
+set(not_needed "")
+foreach(package Catch2 nlohmann_json PNG tinyexr TinyGLTF OpenMesh Doxygen Python3)
+  list(APPEND not_needed -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+run(${CMAKE_COMMAND} --preset install -S ${PACKAGE_DIR} -B ${folder}/package -G ${GENERATOR} ${not_needed}
+    -D CMAKE_INSTALL_INCLUDEDIR=headers/of/packages -D CMAKE_INSTALL_LIBDIR=lib/other)
 run(${CMAKE_COMMAND} --build ${folder}/package)
 check_consumer(${folder}/package ${folder}/other_folders
                -D CGAL_ext_DIR=${folder}/other_folders/installed/lib/other/cmake/CGAL_ext)
@@ -27,3 +31,16 @@ foreach(path headers/of/packages/CGAL_ext lib/other/cmake/CGAL_ext)
     message(FATAL_ERROR "nothing was installed into ${path}")
   endif()
 endforeach()
+
+# a project without CMake
+find_program(pkg_config pkg-config)
+if(pkg_config)
+  set(ENV{PKG_CONFIG_PATH} ${folder}/other_folders/installed/lib/other/pkgconfig)
+  execute_process(COMMAND ${pkg_config} --cflags --libs CGAL_ext OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE
+                  COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(c++ -std=c++17 ${SOURCE_DIR}/without_cmake.cpp ${flags} -o ${folder}/without_cmake)
+  run(${folder}/without_cmake)
+else()
+  message("NOTICE: pkg-config is not found: CGAL_ext.pc is not tested")
+endif()

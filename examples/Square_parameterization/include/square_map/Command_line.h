@@ -69,10 +69,12 @@ inline void check_options(const Given_options& given, const Command_line& line)
   for(const char* number : {"threads", "patience", "step", "interval", "seed"})
     if(given.has(number) && (given.all[number].as<int>() < 0 || given.all[number].as<int>() > 1000000))
       throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
-  for(const char* option :
-      {"output", "json", "seams", "texture", "svg", "report", "image", "normal-map", "attributes", "grid-mesh"})
+  for(const char* option : {"output", "json", "seams", "texture", "svg", "report", "thumbnail", "image", "normal-map",
+                            "attributes", "grid-mesh"})
     if(given.has(option))
       check_file_name(option, given.all[option].as<std::string>());
+  for(const std::string& curve : line.curves)
+    check_file_name("curve", curve);
 }
 
 /// indicates whether two names stand for one file, be there one or not yet: however they are spelled, through links, and
@@ -117,6 +119,7 @@ inline void check_files(const Command_line& line)
   check_extension("the output", line.output, {"obj", "off", "ply", "stl", "glb"});
   check_extension("the image", line.image, {"png", "exr"});
   check_extension("the page", line.page, {"html", "htm"});
+  check_extension("the thumbnail", line.thumbnail, {"png"});
   check_extension("the normal map", line.normal_map, {"png"});
   check_extension("the picture of the attributes", line.attributes, {"png"});
   check_extension("the grid mesh", line.grid_mesh, {"obj", "off", "ply", "stl"});
@@ -127,10 +130,12 @@ inline void check_files(const Command_line& line)
                                  line.texture == "checker" ? "" : line.texture,
                                  line.svg,
                                  line.page,
+                                 line.thumbnail,
                                  line.image,
                                  line.normal_map,
                                  line.attributes,
                                  line.grid_mesh};
+  files.insert(files.end(), line.curves.begin(), line.curves.end());
   if(has_material(line)) {
     files.push_back(beside(line.output, ".mtl"));
     if(const std::string picture = beside(line.output, ".png"); !is_same_file(line.texture, picture))
@@ -232,7 +237,12 @@ inline void set_search(const Given_options& given, Command_line& line)
     line.strategy =
         std::holds_alternative<CGAL_ext::Balanced_minimization>(options.minimization) ? "bracketing" : "hybrid";
   options.search = named(strategies(given.tuning), "strategy", line.strategy);
-  options.search_options.moves_corners = line.strategy != "none" && !given.keeps_quarters;
+  if(given.has("candidates")) {
+    line.candidates = parse_candidates(given.candidates);
+    options.search = Slice_corner_search{options.search.candidate_set(), *line.candidates};
+    options.tries_other_starts = false; // the curves of all slices come from one start
+  }
+  options.search_options.moves_corners = line.strategy != "none" && !line.candidates && !given.keeps_quarters;
   if(given.has("corner-rule"))
     options.search_options.corner_rule = named<Corner_rule>(
         {{"author", Corner_rule::AUTHOR}, {"nearest", Corner_rule::NEAREST}}, "corner-rule", given.corner_rule);

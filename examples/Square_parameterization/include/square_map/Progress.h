@@ -107,6 +107,8 @@ private:
     std::size_t most = candidates;
     if(m_line.strategy == "none")
       most = 1;
+    else if(m_line.candidates)
+      most = static_cast<std::size_t>(m_line.candidates->size());
     else if(m_line.strategy == "bracketing")
       most = (std::max)(std::size_t(12), static_cast<std::size_t>(2 * std::log2(double(candidates))) + 4);
     return (std::min)(most, candidates);

@@ -6,6 +6,7 @@
 
 #include "Job.h"
 #include "Output_set.h"
+#include "draw_thumbnail.h"
 #include "report.h"
 #include "write_glb.h"
 #include "write_grid_mesh.h"
@@ -62,6 +63,8 @@ inline void add_outputs(Job& job, const Stopwatch& watch, Output_set& outputs)
   add_image_outputs(job, outputs);
   outputs.add(job.line.svg, [&job](std::ostream& stream) { write_svg(stream, *job.flat, job); });
   outputs.add(job.line.page, [&job](std::ostream& stream) { write_page(stream, *job.flat, job, *job.first); });
+  outputs.add(job.line.thumbnail,
+              [&job](std::ostream& stream) { stream << png_file(draw_thumbnail(*job.flat, job.result.aspect)); });
   outputs.add(job.line.json, [&job, &watch](std::ostream& stream) {
     nlohmann::ordered_json report = make_report(job); // measuring the image takes time, too
     job.seconds.write = watch.total() - job.seconds.total;

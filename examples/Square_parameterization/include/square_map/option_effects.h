@@ -38,9 +38,15 @@ inline std::vector<Effect> effects()
 {
   using CGAL_ext::Cut_mode;
   return {
-      {{"strategy", "corner-rule", "walk", "step", "interval", "seed"},
+      {{"strategy", "candidates", "curve", "corner-rule", "walk", "step", "interval", "seed"},
        "has no effect beside --corners",
        [](const Command_line& line) { return !line.corners; }},
+      {{"candidates", "curve"},
+       "goes with --strategy brute-force or quarter-brute-force",
+       [](const Command_line& line) {
+         return line.strategy == "brute-force" || line.strategy == "quarter-brute-force";
+       }},
+      {{"candidates"}, "has no effect beside --curve", [](const Command_line& line) { return line.curves.empty(); }},
       {{"quarter-corners"},
        "goes with --minimizer optimal, and a search",
        [](const Command_line& line) {

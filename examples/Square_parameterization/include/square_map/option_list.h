@@ -5,6 +5,7 @@
 #define SQUARE_MAP_OPTION_LIST_H
 
 #include "Resolution.h"
+#include "candidate_slice.h"
 #include "option_values.h"
 #include "read_surface.h"
 
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace square_map {
 
@@ -24,10 +26,13 @@ struct Command_line
 {
   bool wants_help = false, wants_version = false;
   std::string help;
-  std::string input, input_format, output, json, seams, texture, svg, page, image, normal_map, attributes, grid_mesh;
+  std::string input, input_format, output, json, seams, texture, svg, page, thumbnail, image, normal_map, attributes,
+      grid_mesh;
   std::optional<CGAL_ext::Grid_size> resolution; // none: the default, which the surface tells
   std::string strategy, minimizer = "optimal";
   std::optional<std::array<std::size_t, 4>> corners; // vertices of the file
+  std::optional<Candidate_slice> candidates;         // none: all that the strategy asks for
+  std::vector<std::string> curves;                   // reports of slices
   bool is_quiet = false;
   CGAL_ext::Square_map_options<Mesh> options;
   CGAL_ext::internal::Conditioning_options conditioning_options;
@@ -36,7 +41,7 @@ struct Command_line
 /// the options as they are given: names and numbers that are still to be checked
 struct Given_options
 {
-  std::string weights, corner_rule, walk, preset, corners, border, cut, component, resolution;
+  std::string weights, corner_rule, walk, preset, corners, border, cut, component, resolution, candidates;
   double eta = 0, balance = 0, time_limit = 0;
   std::string aspect;
   bool keeps_quarters = false;
@@ -74,11 +79,20 @@ inline boost::program_options::options_description option_list(Given_options& gi
       "picture of the map: faces in the colors of their stretch, corners, seams and the curve of the candidates");
   add("report", po::value(&line.page)->value_name("FILE"),
       "a page that shows the map beside the surface, in any browser: .html; the first candidate is mapped once more");
+  add("thumbnail", po::value(&line.thumbnail)->value_name("FILE"),
+      "a small picture of the surface in a checkerboard of its map: .png");
   add("input-format", po::value(&line.input_format)->value_name("NAME"),
       "off, obj, ply or stl; by default the extension of INPUT tells, or the content of a pipe");
   add("strategy", po::value(&line.strategy)->value_name("NAME"),
       "how corners are searched: bracketing (default for optimal), hybrid (default for iterative), brute-force, "
       "quarter-brute-force, particle-swarm, step-sampling, single-highest, many-high, better-of-two, none");
+  add("candidates", po::value(&given.candidates)->value_name("FIRST:LAST"),
+      "brute-force, quarter-brute-force: map these candidates alone, FIRST and LAST among them, counted from 0; no "
+      "corner moves on its own. Where none has a map, a report alone is written all the same");
+  add("curve", po::value(&line.curves)->value_name("FILE"),
+      "brute-force, quarter-brute-force: a report of such a slice; may be given several times, until all candidates "
+      "are "
+      "known: the best is mapped, with the outputs of a search of all");
   add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
       "optimal (default): least balanced energy; iterative: Yoshizawa et al.");
   add("balance", po::value(&given.balance)->value_name("X"),

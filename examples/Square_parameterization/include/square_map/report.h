@@ -81,10 +81,12 @@ inline nlohmann::ordered_json cut_report(const CGAL_ext::Cut_report& cut)
   return json;
 }
 
-/// the map that is delivered
+/// the map that is delivered; null for candidates of which none has one
 inline nlohmann::ordered_json best_map_report(const Job& job)
 {
   const CGAL_ext::Square_map_result<Mesh>& result = job.result;
+  if(!result.search.best_candidate)
+    return nullptr;
   std::vector<std::size_t> corners;
   for(Mesh::Vertex_index v : result.corners)
     corners.push_back(v.idx());

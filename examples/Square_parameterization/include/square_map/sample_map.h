@@ -41,7 +41,8 @@ inline CGAL_ext::Grid_size grid_of_samples(const Job& job)
 inline void sample_map(Job& job, Progress& progress)
 {
   const Command_line& line = job.line;
-  if(makes_image(line) || !line.svg.empty() || !line.page.empty() || output_extension(line.output) == "glb")
+  if(makes_image(line) || !line.svg.empty() || !line.page.empty() || !line.thumbnail.empty() ||
+     output_extension(line.output) == "glb")
     job.flat = flat_map(job.mesh, job.uv, job.originals);
   if(!line.attributes.empty())
     job.flat->colors = flat_colors(job);

@@ -153,7 +153,8 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
                                 Square_map_report& report)
 {
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
-  try_other_starts(patch, corners, settings, outcome, report.start);
+  if(settings.tries_other_starts)
+    try_other_starts(patch, corners, settings, outcome, report.start);
   report.search = outcome.report;
   report.minimization = outcome.map.report;
   if(settings.search_options.visitor != nullptr)

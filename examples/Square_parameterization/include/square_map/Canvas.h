@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FIGURES_CANVAS_H
-#define FIGURES_CANVAS_H
+#ifndef SQUARE_MAP_CANVAS_H
+#define SQUARE_MAP_CANVAS_H
 
-#include "square_map/pictures.h"
+#include "pictures.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace figures {
-
-using square_map::Color;
+namespace square_map {
 
 /// a point of the picture: x and y in [0, 1], y upwards, and the depth, larger is nearer
 typedef Eigen::Vector3d Place;
@@ -83,9 +81,9 @@ public:
   }
 
   /// the picture in its size
-  square_map::Picture<std::uint8_t> picture() const
+  Picture<std::uint8_t> picture() const
   {
-    square_map::Picture<std::uint8_t> result{m_width, m_height, {}};
+    Picture<std::uint8_t> result{m_width, m_height, {}};
     for(int y = 0; y < m_height; ++y)
       for(int x = 0; x < m_width; ++x) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -140,25 +138,6 @@ private:
   std::vector<double> m_depths;
 };
 
-/// pictures of one height side by side
-inline square_map::Picture<std::uint8_t> side_by_side(const std::vector<square_map::Picture<std::uint8_t>>& pictures)
-{
-  constexpr int GAP = 24;
-  square_map::Picture<std::uint8_t> result{-GAP, pictures.front().height, {}};
-  for(const auto& picture : pictures)
-    result.width += picture.width + GAP;
-  result.pixels.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height),
-                       {255, 255, 255});
-  int left = 0;
-  for(auto picture : pictures) {
-    for(int y = 0; y < picture.height; ++y)
-      for(int x = 0; x < picture.width; ++x)
-        result.at(left + x, y) = picture.at(x, y);
-    left += picture.width + GAP;
-  }
-  return result;
-}
+} // namespace square_map
 
-} // namespace figures
-
-#endif // FIGURES_CANVAS_H
+#endif // SQUARE_MAP_CANVAS_H

@@ -9,17 +9,13 @@
 //
 //   optimal_map_tables build/data/meshes/lion-head.off build/data/meshes/three_peaks.off --generated
 
-#include "include/first_border_halfedge.h"
-#include "include/paper_tables/generated_meshes.h"
+#include "include/models.h"
 
 #include "../../examples/Square_parameterization/include/square_map/option_values.h"
-#include "../../examples/Square_parameterization/include/square_map/read_surface.h"
 
 #include <CGAL_ext/Square_parameterization/internal/energy/measure.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_patch.h>
-#include <CGAL_ext/Square_parameterization/split_chords.h>
 
 #include <Eigen/SVD>
 
@@ -30,13 +26,6 @@ namespace {
 
 using namespace CGAL_ext;
 using namespace CGAL_ext::internal;
-
-/// a disk without chords
-struct Model
-{
-  std::string name;
-  Patch patch;
-};
 
 /// measures that the library has no use for
 struct Jacobian_measures
@@ -61,9 +50,11 @@ Jacobian_measures measure_jacobians(const Patch& patch, const Uv_coordinates& uv
   return result;
 }
 
+/// with the corners of the best candidate: these tables compare what strategies find
 Search_outcome search(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& strategy,
-                      const Square_search_options& options = {})
+                      Square_search_options options = {})
 {
+  options.moves_corners = false;
   return search_square_map(patch, minimizer, strategy, options);
 }
 
@@ -147,32 +138,11 @@ bool print_bracketing(const Model& model)
   return is_hit;
 }
 
-template <class Mesh>
-Model make_model(const std::string& name, Mesh mesh)
-{
-  split_chords(mesh);
-  return {name, make_face_graph_patch(mesh, first_border_halfedge(mesh), get(CGAL::vertex_point, mesh)).patch};
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  std::vector<Model> models;
-  for(int i = 1; i < argc; ++i)
-    try {
-      if(argv[i] == std::string("--generated")) {
-        for(auto& [name, mesh] : paper_tables::generated_meshes())
-          models.push_back(make_model(name, std::move(mesh)));
-        continue;
-      }
-      Surface_soup soup = square_map::read_soup(argv[i]);
-      condition_soup(soup);
-      models.push_back(make_model(std::filesystem::path(argv[i]).stem().string(), square_map::make_mesh(soup)));
-    } catch(const std::exception& error) {
-      std::cerr << argv[i] << ": " << error.what() << '\n';
-    }
-
+  const std::vector<Model> models = read_models(argc, argv);
   std::cout << std::fixed << "Balances, best corners\n";
   for(const Model& model : models)
     print_balances(model);

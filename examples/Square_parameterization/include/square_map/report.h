@@ -158,6 +158,14 @@ inline nlohmann::ordered_json image_report(const Geometry_image& image, const Fl
           {"genus", topology.is_manifold ? nlohmann::ordered_json(topology.genus) : nlohmann::ordered_json(nullptr)}};
 }
 
+inline nlohmann::ordered_json curve_report(const std::vector<CGAL_ext::Search_report::Sample>& curve)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for(const auto& sample : curve)
+    json.push_back({{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.objective)}});
+  return json;
+}
+
 /// what the run found out, but for what depends on the machine: time and threads
 inline nlohmann::ordered_json map_report(const Job& job)
 {
@@ -177,10 +185,8 @@ inline nlohmann::ordered_json map_report(const Job& job)
   json["sketches"] = search.sketches;
   json["corner_moves"] = search.corner_moves;
   json["best"] = best_map_report(job);
-  json["curve"] = nlohmann::ordered_json::array();
-  for(const auto& sample : search.curve)
-    json["curve"].push_back(
-        {{"candidate", sample.candidate}, {"l2", number(sample.l2)}, {"energy", number(sample.objective)}});
+  json["curve"] = curve_report(search.curve);
+  json["sketched_curve"] = curve_report(search.sketched_curve); // of a coarse mesh
   return json;
 }
 

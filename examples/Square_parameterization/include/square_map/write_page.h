@@ -134,7 +134,7 @@ inline void write_page(std::ostream& stream, const Flat_map& map, const Job& job
     page["seam_colors"].push_back(seam_color(k));
   stream.precision(6);
   stream << page_before_data();
-  if(job.result.search.curve.size() > 1) {
+  if(has_curve(job.result.search)) {
     stream << "<template id='curve'><svg xmlns='http://www.w3.org/2000/svg' viewBox='0 660 800 240' "
               "font-family='sans-serif' font-size='18' fill='#222'>\n";
     write_curve(stream, job);

@@ -39,8 +39,8 @@ inline void write_svg(std::ostream& stream, const Flat_map& map, const Job& job)
   constexpr Svg_rectangle frame{70, 62, 540, 540};
   const Svg_rectangle domain = rectangle_in(frame, job.result.aspect);
   const Stretch_colors colors(job.result.measures.face_l2);
-  const bool has_curve = job.result.search.curve.size() > 1;
-  const int height = has_curve ? 900 : 660;
+  const bool shows_curve = has_curve(job.result.search);
+  const int height = shows_curve ? 900 : 660;
   stream.precision(6);
   stream << "<?xml version='1.0' encoding='UTF-8'?>\n<svg xmlns='http://www.w3.org/2000/svg' "
             "xmlns:xlink='http://www.w3.org/1999/xlink' width='800' height='"
@@ -54,7 +54,7 @@ inline void write_svg(std::ostream& stream, const Flat_map& map, const Job& job)
   write_seams(stream, map, job, domain);
   write_corners(stream, map, job, domain);
   write_legend(stream, colors, frame);
-  if(has_curve)
+  if(shows_curve)
     write_curve(stream, job);
   stream << "</svg>\n";
 }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -59,7 +60,7 @@ public:
   {
     Coarse_patch coarse;
     for(int v = 0; v < m_fine.number_of_vertices(); ++v)
-      push_collapses_of(v);
+      push_cheapest(v);
     int count = m_fine.number_of_vertices();
     std::vector<int> ring;
     while(count > target && !m_queue.empty()) {
@@ -68,8 +69,10 @@ public:
       if(m_is_removed[collapse.from] || collapse.changes != m_changes[collapse.from])
         continue; // the neighborhood is not what it was: a newer entry follows
       find_ring(collapse.from, ring);
-      if(!may_collapse(collapse.from, collapse.to, ring))
+      if(!may_collapse(collapse.from, collapse.to, ring)) {
+        push_next(collapse);
         continue;
+      }
       std::vector<int> target_ring;
       if(is_border(collapse.from))
         find_ring(collapse.to, target_ring);
@@ -77,7 +80,7 @@ public:
       --count;
       for(int w : ring) {
         ++m_changes[w];
-        push_collapses_of(w);
+        push_cheapest(w);
       }
       coarse.removals.push_back({collapse.from, collapse.to, ring, std::move(target_ring)});
     }
@@ -107,22 +110,18 @@ private:
     m_previous[next] = v;
   }
 
-  void push_collapse(int from, int to)
-  {
-    const double triangles = (is_border(from) ? 2. : 1.) * double(m_star[from].size()); // the border has half stars
-    m_queue.push({(point(to) - point(from)).squaredNorm() * triangles, from, to, m_changes[from]});
-  }
-
   bool has_large_star(int v) const { return m_star[v].size() > Minimizer_numbers::LARGEST_STAR; }
 
-  void push_collapses_of(int v)
+  /// calls `visit(w)` for the neighbors into which a vertex may be collapsed
+  template <class Visit>
+  void for_each_target(int v, const Visit& visit) const
   {
     if(has_large_star(v))
       return;
     if(is_border(v)) {
       if(m_removable_border_vertices > 0) {
-        push_collapse(v, m_next[v]);
-        push_collapse(v, m_previous[v]);
+        visit(m_next[v]);
+        visit(m_previous[v]);
       }
       return;
     }
@@ -130,8 +129,26 @@ private:
       const auto& t = m_triangles[f];
       const int w = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
       if(!is_border(w))
-        push_collapse(v, w);
+        visit(w);
     }
+  }
+
+  /// enters the cheapest collapse of a vertex; those that cost more wait until it turns out to be impossible
+  void push_cheapest(int from) { push_next({-1, from, -1, 0}); }
+
+  /// enters the collapse of a vertex that comes after another one of it
+  void push_next(const Collapse& previous)
+  {
+    const int from = previous.from;
+    const double triangles = (is_border(from) ? 2. : 1.) * double(m_star[from].size()); // the border has half stars
+    Collapse next{std::numeric_limits<double>::infinity(), from, -1, m_changes[from]};
+    for_each_target(from, [&](int to) {
+      const Collapse collapse{(point(to) - point(from)).squaredNorm() * triangles, from, to, m_changes[from]};
+      if(collapse > previous && (next.to < 0 || next > collapse))
+        next = collapse;
+    });
+    if(next.to >= 0)
+      m_queue.push(next);
   }
 
   /// the neighbors of a vertex, counter-clockwise; from the next to the previous border vertex on the border

@@ -237,7 +237,10 @@ TEST_CASE("a cut with a slow score is taken unjudged, and the score is right")
   CHECK(decision.report.cut_length < 0.1);
   for(const Cut_step& step : decision.report.history)
     CHECK(step.kind != Cut_step::JUDGED);
-  CHECK(decision.report.stretch == Approx(searched_stretch(surface, decision.cut, options.balance)).epsilon(0.03));
+  // a score has eight choices of corners and few steps: it is above what a search finds, by a few percent
+  const double searched = searched_stretch(surface, decision.cut, options.balance);
+  CHECK(decision.report.stretch > 0.995 * searched);
+  CHECK(decision.report.stretch < 1.05 * searched);
   CHECK(decision.report.score == Approx(decision.report.stretch + options.cut_weight * decision.report.cut_length));
 }
 

@@ -13,8 +13,8 @@ struct Print_search : CGAL_ext::Search_visitor
 {
   void end_search(const CGAL_ext::Search_report& report) override
   {
-    std::cout << report.evaluations << " of " << report.candidates
-              << " candidates evaluated; the corners are at border positions";
+    std::cout << report.evaluations << " of " << report.candidates << " candidates evaluated, " << report.sketches
+              << " sketched; the corners are at border positions";
     for(int corner : report.corners)
       std::cout << ' ' << corner;
     std::cout << '\n';

@@ -91,7 +91,7 @@ struct Minimizer_numbers
 
   /// decrease of the energy by a sweep, relative, below which an interpolated map is smooth enough to be minimised. Less:
   /// sweeps that gain less than the minimizer would in the same time.
-  static constexpr double LEAST_SWEEP_GAIN = 5e-3;
+  static constexpr double LEAST_SWEEP_GAIN = 2e-3;
 
   /// sweeps over an interpolated map at most: a bound on the time; large errors need the mesh to move as a whole
   static constexpr int MAXIMUM_SWEEPS = 100;

@@ -144,6 +144,7 @@ Answer map_one_candidate_optimally(Mesh& mesh, Halfedge, UV_map uv)
 {
   CGAL_ext::Square_map_options<Mesh> options;
   options.search = CGAL_ext::First_candidate_corner_search();
+  options.search_options.moves_corners = false;
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv, CGAL_ext::parameters::options(options));
   return {result.message, result.search.evaluations};
 }
@@ -152,7 +153,7 @@ Answer map_one_candidate_optimally(Mesh& mesh, Halfedge, UV_map uv)
 Answer map_by_default(Mesh& mesh, Halfedge, UV_map uv)
 {
   const auto result = CGAL_ext::parameterize_onto_square(mesh, uv);
-  return {result.message, result.search.evaluations};
+  return {result.message, result.search.evaluations + result.search.corner_maps};
 }
 
 const std::vector<Method> methods{

@@ -39,7 +39,7 @@ class Programs:
     def subdivided(self, mesh, times):
         """a file with the mesh, subdivided"""
         if times == 0:
-            return pathlib.Path(mesh)
+            return pathlib.Path(mesh).resolve()
         path = pathlib.Path(self.folder.name) / ('%s-%d.off' % (pathlib.Path(mesh).stem, times))
         if not path.exists():
             subprocess.run([self.bin / 'subdivide', mesh, str(times), path], check=True)

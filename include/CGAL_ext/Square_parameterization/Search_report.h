@@ -33,7 +33,8 @@ struct Search_report
   double best_objective = std::numeric_limits<double>::infinity(); ///< of the best candidate
   /// positions in the border loop of the vertices at (0,0), (1,0), (1,1), (0,1); 0 without a map
   std::array<int, 4> corners{};
-  std::size_t corner_moves = 0; ///< number of choices of four corners that were compared beyond the candidates
+  std::size_t corner_maps = 0;  ///< number of choices of four corners that were mapped beyond the candidates
+  std::size_t corner_moves = 0; ///< number of choices of four corners that were compared on coarse maps
   /// the corners are not those of the best candidate: they moved on from there, to less energy or to where the two
   /// sides of all seams can have the same samples
   bool has_moved_corners = false;

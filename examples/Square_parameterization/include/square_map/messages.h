@@ -60,7 +60,8 @@ inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double tot
               << name_of(result.start) << '\n';
   std::cerr << "L2 stretch " << result.measures.l2
             << (result.search.has_moved_corners ? " with corners moved from candidate " : " at candidate ")
-            << *result.search.best_candidate << ", " << result.search.evaluations << " evaluated, " << total_seconds
+            << *result.search.best_candidate << ", "
+            << counted(result.search.evaluations + result.search.corner_maps, "map", "maps") << ", " << total_seconds
             << " s\n";
 }
 

@@ -183,6 +183,7 @@ inline nlohmann::ordered_json map_report(const Job& job)
   json["candidates"] = search.candidates;
   json["evaluations"] = search.evaluations;
   json["sketches"] = search.sketches;
+  json["corner_maps"] = search.corner_maps;
   json["corner_moves"] = search.corner_moves;
   json["best"] = best_map_report(job);
   json["curve"] = curve_report(search.curve);

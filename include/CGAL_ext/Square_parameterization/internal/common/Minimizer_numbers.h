@@ -151,7 +151,7 @@ struct Minimizer_numbers
 
   /// steps on the mesh itself at most while candidates for the corners are compared: a bound on the time. Fewer: maps
   /// stretched tens of times are compared before they are comparable.
-  static constexpr unsigned int SEARCH_ITERATIONS = 20;
+  static constexpr unsigned int SEARCH_ITERATIONS = 60;
 
   /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
   static constexpr int LARGEST_WARM_START = 1000;

@@ -48,11 +48,11 @@ public:
   const Minimized_map& best_map() const { return m_maps.best_map(); }
   const Corners& best_corners() const { return m_maps.best_corners(); }
 
-  /// indicates whether choices were mapped, or could not be
-  bool is_untouched() const { return m_maps.number_of_choices() == 0; }
+  /// the number of choices that were mapped, or could not be
+  std::size_t number_of_maps() const { return m_maps.number_of_choices(); }
 
-  /// the number of choices that were compared
-  std::size_t number_of_choices() const { return has_rough_maps() ? m_rough_maps->number_of_choices() : 0; }
+  /// the number of choices that were mapped roughly
+  std::size_t number_of_rough_maps() const { return has_rough_maps() ? m_rough_maps->number_of_choices() : 0; }
 
   bool is_cancelled() const { return m_is_cancelled; }
 

@@ -112,8 +112,9 @@ private:
 
   void ask(Corner_search_problem problem)
   {
-    run_corner_search(m_search, std::move(problem),
-                      [this] { return m_settled_for || !m_evaluation.is_untouched() || !m_corners.is_untouched(); });
+    run_corner_search(m_search, std::move(problem), [this] {
+      return m_settled_for || !m_evaluation.is_untouched() || m_corners.number_of_maps() > 0;
+    });
   }
 
   /// maps the candidate that was settled for; when it has no map, sketches mislead, and the strategy is asked again
@@ -212,7 +213,8 @@ private:
       report.has_moved_corners = true;
     }
     report.is_cancelled |= m_corners.is_cancelled();
-    report.corner_moves = m_corners.number_of_choices();
+    report.corner_maps = m_corners.number_of_maps();
+    report.corner_moves = m_corners.number_of_rough_maps();
     if(m_sketches) {
       const Search_report sketching = m_sketches->report();
       report.sketches = sketching.evaluations;

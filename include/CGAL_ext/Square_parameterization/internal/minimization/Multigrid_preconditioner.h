@@ -36,15 +36,14 @@ public:
     Axis_matrix::Matrix matrix;           // of a large one
     Free_coordinates is_free;
     Uv_coordinates residual, solution, correction, coarse;
-    bool is_direct = false;
   };
 
   /// of a patch that is small
-  explicit Multigrid_preconditioner(const Patch& patch) : m_patch(patch) { m_direct.emplace(patch); }
+  explicit Multigrid_preconditioner(const Patch& patch) { m_direct.emplace(patch); }
 
   /// of a patch that is large
   Multigrid_preconditioner(const Patch& patch, const Coarse_patch& to_coarser, const Multigrid_preconditioner& coarser)
-    : m_patch(patch), m_coarser(&coarser)
+    : m_coarser(&coarser)
   {
     std::vector<int> rank(patch.number_of_vertices());
     std::iota(rank.begin(), rank.end(), 0);
@@ -98,54 +97,76 @@ private:
       visit(matrix.innerIndexPtr()[k], matrix.valuePtr()[k]);
   }
 
-  void cycle(Memory& memory, Uv_coordinates& x) const
+  static Number_per_axis at(const Uv_coordinates& uv, Eigen::Index v) { return {uv(v, 0), uv(v, 1)}; }
+
+  static void put(const Number_per_axis& p, Eigen::Index v, Uv_coordinates& uv)
   {
-    const Axis_matrix::Matrix& matrix = memory.matrix;
-    const Eigen::Index n = x.rows();
-    memory.solution.resize(n, 2);
-    memory.residual.setZero(n, 2);
-    auto& solution = memory.solution;
-    auto& residual = memory.residual;
-    const auto at = [](Uv_coordinates& uv, Eigen::Index v) { return Number_per_axis(uv(v, 0), uv(v, 1)); };
-    const auto put = [](Uv_coordinates& uv, Eigen::Index v, const Number_per_axis& p) {
-      uv(v, 0) = p[0];
-      uv(v, 1) = p[1];
-    };
-    for(Eigen::Index j = 0; j < n; ++j) { // one sweep, from zero; what it leaves is what comes later in the order
-      Number_per_axis sum = at(x, j);
-      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) { sum -= a * at(solution, i); });
-      sum /= diagonal(matrix, j);
-      put(solution, j, sum);
-      for_above_diagonal(matrix, j,
-                         [&](int i, const Number_per_axis& a) { put(residual, i, at(residual, i) - a * sum); });
-    }
-    if(memory.coarser != nullptr && memory.coarser->is_set) {
-      Memory& coarser = *memory.coarser;
-      m_interpolation->restrict_to_coarse(residual, memory.coarse);
-      memory.coarse = coarser.is_free.select(memory.coarse, 0.);
-      m_coarser->apply(coarser, memory.coarse);
-      memory.correction.resize(n, 2);
-      m_interpolation->prolong(memory.coarse, memory.correction);
-      solution += memory.is_free.select(memory.correction, 0.);
-    }
-    for(Eigen::Index j = 0; j < n; ++j) { // x becomes the residual
-      const Number_per_axis here = at(solution, j);
-      Number_per_axis sum = diagonal(matrix, j) * here;
-      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) {
-        sum += a * at(solution, i);
-        put(x, i, at(x, i) - a * here);
-      });
-      put(x, j, at(x, j) - sum);
-    }
-    for(Eigen::Index j = n; j-- > 0;) { // the sweep back; x becomes what it adds
-      const Number_per_axis step = at(x, j) / diagonal(matrix, j);
-      put(x, j, step);
-      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) { put(x, i, at(x, i) - a * step); });
-    }
-    x += solution;
+    uv(v, 0) = p[0];
+    uv(v, 1) = p[1];
   }
 
-  const Patch& m_patch;
+  void cycle(Memory& memory, Uv_coordinates& x) const
+  {
+    sweep_from_zero(memory.matrix, x, memory.solution, memory.residual);
+    if(memory.coarser != nullptr && memory.coarser->is_set)
+      correct_on_coarser(memory);
+    subtract_product(memory.matrix, memory.solution, x);
+    sweep_back(memory.matrix, x);
+    x += memory.solution;
+  }
+
+  /// one sweep from zero for the right hand side \p x. The residual that it leaves comes from what is later in the order.
+  static void sweep_from_zero(const Axis_matrix::Matrix& matrix, const Uv_coordinates& x, Uv_coordinates& solution,
+                              Uv_coordinates& residual)
+  {
+    solution.resize(x.rows(), 2);
+    residual.setZero(x.rows(), 2);
+    for(Eigen::Index j = 0; j < x.rows(); ++j) {
+      Number_per_axis here = at(x, j);
+      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) { here -= a * at(solution, i); });
+      here /= diagonal(matrix, j);
+      put(here, j, solution);
+      for_above_diagonal(matrix, j,
+                         [&](int i, const Number_per_axis& a) { put(at(residual, i) - a * here, i, residual); });
+    }
+  }
+
+  /// adds to the solution what the coarser patch makes of the residual
+  void correct_on_coarser(Memory& memory) const
+  {
+    Memory& coarser = *memory.coarser;
+    m_interpolation->restrict_to_coarse(memory.residual, memory.coarse);
+    memory.coarse = coarser.is_free.select(memory.coarse, 0.);
+    m_coarser->apply(coarser, memory.coarse);
+    memory.correction.resize(memory.solution.rows(), 2);
+    m_interpolation->prolong(memory.coarse, memory.correction);
+    memory.solution += memory.is_free.select(memory.correction, 0.);
+  }
+
+  /// x becomes x - A y
+  static void subtract_product(const Axis_matrix::Matrix& matrix, const Uv_coordinates& y, Uv_coordinates& x)
+  {
+    for(Eigen::Index j = 0; j < x.rows(); ++j) {
+      const Number_per_axis here = at(y, j);
+      Number_per_axis sum = diagonal(matrix, j) * here;
+      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) {
+        sum += a * at(y, i);
+        put(at(x, i) - a * here, i, x);
+      });
+      put(at(x, j) - sum, j, x);
+    }
+  }
+
+  /// one sweep from zero in the other direction: x, a right hand side, becomes its result
+  static void sweep_back(const Axis_matrix::Matrix& matrix, Uv_coordinates& x)
+  {
+    for(Eigen::Index j = x.rows(); j-- > 0;) {
+      const Number_per_axis here = at(x, j) / diagonal(matrix, j);
+      put(here, j, x);
+      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) { put(at(x, i) - a * here, i, x); });
+    }
+  }
+
   const Multigrid_preconditioner* m_coarser = nullptr;
   std::optional<Axis_preconditioner> m_direct;         // of a small patch
   std::optional<Axis_matrix> m_matrix;                 // of a large one

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mapped_patches.h"
+#include "test_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_sequence.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+
+#include <catch2/catch.hpp>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+namespace {
+
+/// a patch, the next coarser one, and the V-cycle over both at a map of the first
+struct Two_levels
+{
+  explicit Two_levels(const Patch& fine_patch)
+    : patch(fine_patch),
+      patches(patch, false),
+      energy(patch, 0.3),
+      coarse_energy(coarsened(), 0.3),
+      coarse(patches[1]),
+      fine(patch, patches.coarse(1), coarse)
+  {
+    const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+    uv = make_minimizer(patch, Balanced_minimization())
+             ->make_worker()(square_border(walk, corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv, nullptr)
+             .uv;
+    Uv_coordinates coarse_uv(patches[1].number_of_vertices(), 2);
+    for(int v = 0; v < patches[1].number_of_vertices(); ++v)
+      coarse_uv.row(v) = uv.row(patches.coarse(1).fine_vertex[v]);
+    memory.coarser = &coarse_memory;
+    REQUIRE(coarse.factorize(coarse_energy, coarse_uv, free_coordinates(patches[1], coarse_uv, true), coarse_memory));
+    is_free = free_coordinates(patch, uv, true);
+    REQUIRE(fine.factorize(energy, uv, is_free, memory));
+  }
+
+  const Patch& coarsened()
+  {
+    patches.coarsen({0.7, 0.05});
+    REQUIRE(patches.size() > 1);
+    return patches[1];
+  }
+
+  Uv_coordinates random_vector() const
+  {
+    return is_free.select(Uv_coordinates::Random(patch.number_of_vertices(), 2), 0.);
+  }
+
+  Uv_coordinates cycle(Uv_coordinates x)
+  {
+    fine.apply(memory, x);
+    return x;
+  }
+
+  const Patch& patch;
+  Patch_sequence patches;
+  Balanced_energy energy, coarse_energy;
+  Multigrid_preconditioner coarse, fine;
+  Multigrid_preconditioner::Memory coarse_memory, memory;
+  Uv_coordinates uv;
+  Free_coordinates is_free;
+};
+
+double dot(const Uv_coordinates& a, const Uv_coordinates& b)
+{
+  return a.cwiseProduct(b).sum();
+}
+
+} // namespace
+
+TEST_CASE("the V-cycle is symmetric, positive, and leaves what may not move")
+{
+  const Patch patch = make_patch_of(noisy_height_field(20));
+  Two_levels levels(patch);
+  for(int i = 0; i < 5; ++i) {
+    const Uv_coordinates a = levels.random_vector(), b = levels.random_vector();
+    const Uv_coordinates at_a = levels.cycle(a), at_b = levels.cycle(b);
+    CHECK(dot(at_a, b) == Approx(dot(a, at_b)).epsilon(1e-9));
+    CHECK(dot(at_a, a) > 0);
+    CHECK(levels.is_free.select(Uv_coordinates::Zero(a.rows(), 2), at_a).norm() == 0);
+  }
+}
+
+TEST_CASE("V-cycles solve the equations that factors solve, with less error each time")
+{
+  const Patch patch = make_patch_of(saddle(24));
+  Two_levels levels(patch);
+  const Axis_preconditioner direct(patch);
+  Axis_preconditioner::Factors factors;
+  REQUIRE(direct.factorize(levels.energy, levels.uv, levels.is_free, factors));
+  const Uv_coordinates right_hand_side = levels.random_vector();
+  Uv_coordinates exact = right_hand_side;
+  direct.apply(factors, exact);
+
+  // the residual is taken with the matrix of the V-cycle itself, in its upper triangle
+  const auto residual = [&](const Uv_coordinates& x) {
+    Uv_coordinates result = right_hand_side;
+    const Axis_matrix::Matrix& matrix = levels.memory.matrix;
+    for(int j = 0; j < matrix.outerSize(); ++j)
+      for(Axis_matrix::Matrix::InnerIterator it(matrix, j); it; ++it)
+        for(int axis = 0; axis < 2; ++axis) {
+          result(it.row(), axis) -= it.value()[axis] * x(j, axis);
+          if(it.row() != j)
+            result(j, axis) -= it.value()[axis] * x(it.row(), axis);
+        }
+    return result;
+  };
+  Uv_coordinates x = Uv_coordinates::Zero(patch.number_of_vertices(), 2);
+  double error = exact.norm();
+  for(int i = 0; i < 12; ++i) {
+    x += levels.cycle(residual(x));
+    const double left = (x - exact).norm();
+    CHECK(left < 0.6 * error + 1e-12);
+    error = left;
+  }
+  CHECK(error < 1e-2 * exact.norm());
+}

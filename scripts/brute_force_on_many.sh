@@ -15,8 +15,7 @@ set -euo pipefail
 export CALLED=brute_force_on_many.sh
 . "$(dirname "${BASH_SOURCE[0]}")/folder/run_jobs.sh"
 
-help=$(sed -n '2,/^set -euo/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}")
-[ "${1:-}" != --help ] && [ "${1:-}" != -h ] || { echo "$help"; exit; }
+tell_help "${BASH_SOURCE[0]}" "$@"
 if [ $# -lt 2 ] || [ -z "$1" ] || [ -z "$2" ]; then
   fail "it takes MESH, and WORK, a folder for the reports of the slices; --help says more"
 fi
@@ -34,9 +33,7 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-extra_packages=(parallel python3)
-[ ${#hosts[@]} -eq 0 ] || extra_packages+=(openssh-client)
-. "$tools/../build_square_map.sh"
+find_square_map
 
 plan=$(python3 "$tools/slices.py" plan "$square_map" "$mesh" "$work" --machines "$machines" -- "${options[@]}")
 read -r _ jobs memory words < <(grep '^jobs ' <<< "$plan")

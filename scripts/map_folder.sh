@@ -22,8 +22,7 @@ set -euo pipefail
 export CALLED=map_folder.sh
 . "$(dirname "${BASH_SOURCE[0]}")/folder/run_jobs.sh"
 
-help=$(sed -n '2,/^set -euo/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}")
-[ "${1:-}" != --help ] && [ "${1:-}" != -h ] || { echo "$help"; exit; }
+tell_help "${BASH_SOURCE[0]}" "$@"
 if [ $# -lt 2 ] || [ -z "$1" ] || [ -z "$2" ]; then
   fail "it takes IN, the folder of the meshes, and OUT, the folder of the maps; --help says more"
 fi
@@ -39,9 +38,7 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-extra_packages=(parallel python3)
-[ ${#hosts[@]} -eq 0 ] || extra_packages+=(openssh-client)
-. "$tools/../build_square_map.sh"
+find_square_map
 
 plan=$(python3 "$tools/plan_folder.py" "$square_map" "$in" "$out" --machines "$machines" --part "$part" -- "${options[@]}")
 prepare_jobs "$square_map" "$out"

@@ -10,6 +10,15 @@ fail() {
   exit 2
 }
 
+# tell_help SCRIPT [ARGUMENT]...: prints the comment that the script begins with, and ends, when the first argument asks for it
+tell_help() {
+  [ "${2:-}" = --help ] || [ "${2:-}" = -h ] || return 0
+  local help
+  help=$(sed -n '2,/^set -euo/{/^#/s/^# \{0,1\}//p}' "$1")
+  echo "$help"
+  exit
+}
+
 # take_hosts FILE: the machines to run on
 take_hosts() {
   [ -r "$1" ] || fail "the file of the machines '$1' cannot be read"
@@ -20,6 +29,13 @@ take_hosts() {
 # words_of NAME...: a word for each, in $words
 words_of() {
   mapfile -t words < <(python3 "$tools/meshes.py" "$@")
+}
+
+# find_square_map: installs what jobs need, and sets $square_map
+find_square_map() {
+  extra_packages=(parallel python3)
+  [ ${#hosts[@]} -eq 0 ] || extra_packages+=(openssh-client)
+  . "$tools/../build_square_map.sh"
 }
 
 # prepare_jobs PROGRAM OUT: finds Python, and that every machine sees the same program and folders

@@ -17,10 +17,10 @@ namespace CGAL_ext {
 
 /// \ingroup PkgSquareParameterizationSearches
 ///
-/// maps the first candidate, then even samples of the ring of the quarter, and closes in on the best: each sample that is not higher
-/// than its neighbors brackets a valley; the valley with the lowest bottom, by the parabola through its three samples,
-/// is sampled again, until no valley promises less than the best candidate known. On a curve with several valleys the
-/// largest gaps are sampled, too. Maps start from those of their neighbors.
+/// maps the first candidate, then even samples of the ring of the quarter, and closes in on the best: each sample that is
+/// not higher than its neighbors brackets a valley; the valley with the lowest bottom, by the parabola through its three
+/// samples, is sampled again, until no valley promises less than the best candidate known. On a curve with several
+/// valleys the largest gaps are sampled, too. Maps start from those of their neighbors.
 ///
 /// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched instead: 32 even samples,
 /// then about as many between the best of them and its neighbors, and so on. It settles for the candidate with the best

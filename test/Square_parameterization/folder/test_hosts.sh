@@ -2,12 +2,7 @@
 # map_folder.sh --hosts and brute_force_on_many.sh --hosts by ssh, on two addresses of the loopback interface that stand
 # for two machines: test_hosts.sh [SQUARE_MAP [MESHES]]. As root, with openssh-server; a server of its own on a private port,
 # with keys of its own, is started and ended.
-set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-repository=$(cd "$here/../../.." && pwd)
-SQUARE_MAP=$(realpath "${1:-$repository/build/bin/square_map}")
-meshes=$(realpath "${2:-$repository/build/data/meshes}")
-export SQUARE_MAP
+. "$(dirname "${BASH_SOURCE[0]}")/set_up_server_test.sh"
 if [ "$(id -u)" -ne 0 ] || [ ! -x /usr/sbin/sshd ]; then
   echo "skipped: it takes root and openssh-server"
   exit 77

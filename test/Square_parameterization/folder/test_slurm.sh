@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # scripts/map_folder.slurm in Slurm's own daemons, which are started for it on this machine, with a configuration, ports and
 # a key of their own, and ended: test_slurm.sh [SQUARE_MAP [MESHES]]. As root, with slurmctld, slurmd, slurm-client and munge.
-set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-repository=$(cd "$here/../../.." && pwd)
-SQUARE_MAP=$(realpath "${1:-$repository/build/bin/square_map}")
-meshes=$(realpath "${2:-$repository/build/data/meshes}")
-export SQUARE_MAP
+. "$(dirname "${BASH_SOURCE[0]}")/set_up_server_test.sh"
 missing=$(for program in slurmctld slurmd sbatch munged; do command -v $program > /dev/null || echo $program; done)
 if [ "$(id -u)" -ne 0 ] || [ -n "$missing" ]; then
   echo "skipped: it takes root, slurmctld, slurmd, slurm-client and munge"

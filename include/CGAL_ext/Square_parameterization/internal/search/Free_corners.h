@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -86,12 +87,13 @@ private:
   /// where the corners come to rest, but for the start itself
   std::vector<Corners> ends_of_moves(const Corners& start)
   {
-    map_roughly({start});
-    const bool is_square = m_rough_maps->best_map().aspect == 1;
-    const double most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
+    double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
     Corner_moves moves(
         m_patch.border_lengths, [this](const auto& choices) { return map_roughly(choices); },
-        [this, most_work] { return double(m_rough_maps->work()) > most_work; });
+        [this, &most_work] { return double(m_rough_maps->work()) > most_work; });
+    moves.compare({start});
+    const bool is_square = m_rough_maps->best_map().aspect == 1;
+    most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
     std::vector<Corners> starts{start};
     if(!is_square)
       for(const Corner_moves::Choice& choice : moves.best_of_spread())

@@ -54,8 +54,9 @@ struct Variation
 };
 
 const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decision_faces, 2000, 8000},
-                                        {"growth_faces", &Cut_numbers::growth_faces, 800, 2400},
-                                        {"simpler_growth_faces", &Cut_numbers::simpler_growth_faces, 350, 900},
+                                        {"growth_faces", &Cut_numbers::growth_faces, 600, 1200},
+                                        {"simpler_copies", &Cut_numbers::simpler_copies, 1, 5},
+                                        {"simplest_growth_faces", &Cut_numbers::simplest_growth_faces, 300, 500},
                                         {"faces_per_loop", &Cut_numbers::faces_per_loop, 6, 24},
                                         {"least_reduction", &Cut_numbers::least_reduction, 1, 2},
                                         {"very_fine", &Cut_numbers::very_fine, 3.25, 1000},
@@ -63,6 +64,8 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"corner_candidates", &Cut_numbers::corner_candidates, 2, 16},
                                         {"start_iterations", &Cut_numbers::start_iterations, 0, 4},
                                         {"score_steps", &Cut_numbers::score_steps, 25, 400},
+                                        {"rough_score_tolerance", &Cut_numbers::rough_score_tolerance, 1e-3, 3e-2},
+                                        {"scored_well", &Cut_numbers::scored_well, 1, 10},
                                         {"score_tolerance", &Cut_numbers::score_tolerance, 1e-4, 1e-2},
                                         {"slow_map_work", &Cut_numbers::slow_map_work, 1, 20},
                                         {"most_roots", &Cut_numbers::most_roots, 3, 24},
@@ -73,18 +76,16 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"candidates", &Cut_numbers::candidates, 2, 10},
                                         {"circle_iterations", &Cut_numbers::circle_iterations, 1, 20},
                                         {"growth_work", &Cut_numbers::growth_work, 50000, 450000},
-                                        {"little_growth_work", &Cut_numbers::little_growth_work, 20000, 210000},
+                                        {"growth_work_per_vertex", &Cut_numbers::growth_work_per_vertex, 100, 300},
+                                        {"little_growth_work", &Cut_numbers::little_growth_work, 10000, 100000},
                                         {"many_loops", &Cut_numbers::many_loops, 2, 1000},
                                         {"move_rounds", &Cut_numbers::move_rounds, 0, 4},
                                         {"selected", &Cut_numbers::selected, 3, 30},
-                                        {"far", &Cut_numbers::far, 1.01, 1.2},
+                                        {"far", &Cut_numbers::far, 0.01, 0.2},
                                         {"directions", &Cut_numbers::directions, 1, 8},
                                         {"first_step", &Cut_numbers::first_step, 0.06, 0.24},
                                         {"last_step", &Cut_numbers::last_step, 0.015, 0.06},
                                         {"refinement_work", &Cut_numbers::refinement_work, 0, 120000},
-                                        {"judged", &Cut_numbers::judged, 1, 8},
-                                        {"judging_tolerance", &Cut_numbers::judging_tolerance, 1e-4, 1e-2},
-                                        {"copy_tolerance", &Cut_numbers::copy_tolerance, 0, 2e-2},
                                         {"lift_samples", &Cut_numbers::lift_samples, 1, 32},
                                         {"lift_band", &Cut_numbers::lift_band, 0.5, 8}};
 
@@ -124,7 +125,7 @@ double measure(const Triangle_surface& surface, const Cut& cut)
     const Patch patch = patch_of_cut(surface, cut);
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
     const double l2 = search_square_map(patch, *minimizer, Bracketing_corner_search(), {}).map.report.l2;
-    return Cut_score_options().score(l2, cut.length(surface) / std::sqrt(surface.area));
+    return l2 + Cut_options().cut_weight * cut.length(surface) / std::sqrt(surface.area);
   } catch(const Unmappable&) {
     return std::numeric_limits<double>::infinity();
   }

@@ -5,7 +5,6 @@
 #include "test_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Few_corners_search.h>
 
 #include <catch2/catch.hpp>
 
@@ -67,21 +66,6 @@ TEST_CASE("no search evaluates the first candidate alone")
   CHECK(report.best_candidate == 0);
   CHECK(report.evaluations == 1);
   CHECK(report.candidates == 20);
-}
-
-TEST_CASE("a few corners come near the optimum of a smooth curve")
-{
-  for(int candidates : {1, 2, 3, 4, 5, 7, 37, 400})
-    for(double phase : {0., 0.1, 0.3, 0.55, 0.8}) {
-      const Stretch_curve curve = smooth_curve(candidates, phase * candidates);
-      const double least = curve[minimum_of(curve)], highest = *std::max_element(curve.begin(), curve.end());
-      const Search_report report = search_curve(curve, internal::Few_corners_search());
-      CHECK(report.evaluations <= 8);
-      CHECK(report.best_objective <= least + 0.02 * (highest - least)); // at most a 32nd of the ring away
-      if(candidates <= 4)
-        CHECK(report.evaluations == static_cast<std::size_t>(candidates));
-    }
-  CHECK_FALSE(search_curve(Stretch_curve(20, INFEASIBLE), internal::Few_corners_search()).best_candidate);
 }
 
 TEST_CASE("a strategy says from which candidates it chooses")

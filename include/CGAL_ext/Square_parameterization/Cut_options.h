@@ -61,6 +61,10 @@ struct Seam_options : Cut_options
 
   /// `BEST`: balance of the energy by which cuts are judged, in [0, 1]: see `Balanced_minimization`
   double balance = Balanced_minimization().balance;
+
+  /// `BEST`: width over height of the rectangle on which cuts are judged; none for the best of each cut
+  std::optional<double> aspect = Balanced_minimization().aspect;
+
   unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
 
   /// `BEST`: when it has passed, no more cuts are compared, and the best so far is taken; or any cut, when the surface

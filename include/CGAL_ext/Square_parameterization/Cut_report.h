@@ -20,16 +20,23 @@ struct Cut_step
     INITIAL, ///< a cut to begin with, as the topology needs it; later, one that was selected for refinement
     ADDED,   ///< a cut that was extended to a terminal
     DROPPED, ///< a cut that was freed from a terminal
-    MOVED,   ///< a cut of which a terminal gave way to another
-    JUDGED   ///< one of those that were judged at last: of the best, within 0.5 %, the shortest was taken; within 0.1 %
-             ///< where nothing was simplified
+    MOVED    ///< a cut of which a terminal gave way to another
   };
 
   Kind kind;
   int terminal;   ///< vertex of the surface that was decided on; -1 for none
   double score;   ///< `stretch` plus the weighted length; infinite when no one-to-one map was found
-  double stretch; ///< L2 stretch of a quick map; for those that were judged, of a map with its corners searched
+  double stretch; ///< L2 stretch of a quick map, for a few choices of corners: a few per cent above the least
   double length;  ///< of the cut, in units of the square root of the area
+};
+
+/// \ingroup PkgSquareParameterizationResults
+///
+/// what a cut costs and what it leaves
+struct Cut_choice
+{
+  double length;  ///< of the cut, in units of the square root of the area
+  double stretch; ///< L2 stretch that is left
 };
 
 /// \ingroup PkgSquareParameterizationResults
@@ -42,7 +49,11 @@ struct Cut_report
   /// of the cut that was taken, on the surface that was decided on; infinite when there was nothing to decide
   double score = std::numeric_limits<double>::infinity();
   double stretch = std::numeric_limits<double>::infinity(); ///< its L2 stretch there
-  std::vector<Cut_step> history;  ///< steps of the decision; empty when there was nothing to decide
+  std::vector<Cut_step> history; ///< steps of the decision; empty when there was nothing to decide
+
+  /// the cuts that are best at some `Cut_options::cut_weight`, of all that were scored at last; the shortest first
+  std::vector<Cut_choice> front;
+
   std::size_t decision_faces = 0; ///< faces of the surface decided on: fewer than the input's when that was simplified
   bool is_cancelled = false;      ///< the deadline ended the comparison of cuts: this is the best so far
 };

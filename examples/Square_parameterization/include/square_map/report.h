@@ -68,11 +68,14 @@ inline nlohmann::ordered_json conditioning_report(const Job& job)
 /// how the cut was chosen
 inline nlohmann::ordered_json cut_report(const CGAL_ext::Cut_report& cut)
 {
-  static const char* const step_names[] = {"initial", "added", "dropped", "moved", "judged"};
+  static const char* const step_names[] = {"initial", "added", "dropped", "moved"};
   nlohmann::ordered_json json{{"decision_faces", cut.decision_faces},
                               {"score", number(cut.score)},
                               {"l2", number(cut.stretch)},
+                              {"front", nlohmann::ordered_json::array()},
                               {"history", nlohmann::ordered_json::array()}};
+  for(const CGAL_ext::Cut_choice& choice : cut.front)
+    json["front"].push_back({{"cut_length", choice.length}, {"l2", choice.stretch}});
   for(const CGAL_ext::Cut_step& step : cut.history)
     json["history"].push_back({{"step", step_names[step.kind]},
                                {"score", number(step.score)},

@@ -17,17 +17,20 @@ struct Cut_numbers
   // --- simplified copies, on which cuts are found ---
 
   /// faces of the copy on which cuts are compared at last. More: the stretch of short cuts is overrated less, and every
-  /// score takes longer. A cut found on 4000 faces is worth on the surface what it is worth on the copy, within
-  /// `copy_tolerance`.
+  /// score takes longer.
   int decision_faces = 4000;
 
-  /// faces of the copy on which cuts are grown, by a hundred scores and more: most of the time goes there.
+  /// faces of the copy on which cuts are grown at last, by dozens of scores: with the simpler copies, most of the time
+  /// goes there.
   /// Fewer: the copy loses the features for which a cut is extended.
-  int growth_faces = 1200;
+  int growth_faces = 800;
 
-  /// faces of a still simpler copy, where a second cut is grown. Growth ends in one of many local minima: a copy that
-  /// differs ends in another.
-  int simpler_growth_faces = 700;
+  /// still simpler copies, on each of which cuts are grown, too. Growth ends in one of many local minima: a copy that
+  /// differs ends in another. More: a better cut here and there, for much time.
+  int simpler_copies = 3;
+
+  /// faces of the simplest of them; the others lie between it and `growth_faces`
+  int simplest_growth_faces = 400;
 
   /// faces that a copy gets beyond the number aimed at for each hole, and two times for each handle: round each of them
   /// lie a dozen triangles at least. Fewer: the simplification cannot keep the topology, and there is no copy.
@@ -59,7 +62,14 @@ struct Cut_numbers
   /// from coarse to fine instead, since its stretch may be twice the least. Fewer: more cuts are scored that slow way.
   int score_steps = 100;
 
-  /// relative decrease of the energy at which the map of a score is done. A score need not be better than the
+  /// relative decrease of the energy at which the rough map is done that every cut gets: it bounds the stretch from
+  /// above. Larger: the best of the cuts that compete is missed.
+  double rough_score_tolerance = 1e-2;
+
+  /// the best few, by their rough scores, of the cuts that compete, which are scored well
+  int scored_well = 3;
+
+  /// relative decrease of the energy at which the map of a good score is done. A score need not be better than the
   /// differences that it decides on.
   double score_tolerance = 1e-3;
 
@@ -81,12 +91,12 @@ struct Cut_numbers
 
   // --- growth ---
 
-  /// terminals that are added in one growth, at most. A bound for cuts that keep paying; patience ends most growths.
+  /// terminals that are added in one growth, at one weight, at most. A bound for cuts that keep paying; patience ends most growths.
   int most_additions = 10;
 
   /// terminals added, or dropped, in a row without a lower score, after which growth ends: two terminals may pay
   /// together where neither does alone
-  int patience = 3;
+  int patience = 2;
 
   /// vertices farthest from the cut, and as many maxima of stretch, that compete to be the next terminal. Each costs a
   /// map.
@@ -96,32 +106,31 @@ struct Cut_numbers
   /// which it need not be the best.
   int circle_iterations = 5;
 
-  /// vertices mapped in all scores of one growth, and of the polishing after it, at most: 250 cuts of a copy of 1200
-  /// faces. More: a better cut here and there, for much time.
+  /// vertices mapped in all scores of one copy, at all weights, at most. More: a better cut here and there, for much
+  /// time.
   long growth_work = 150000;
 
   /// the same per vertex of the surface, where that is less: small surfaces are not grown for longer than large ones.
   /// Fewer: small surfaces get a little more stretch; more: they take seconds where their maps are slow.
-  long growth_work_per_vertex = 200;
+  long growth_work_per_vertex = 150;
 
   /// the same where there are many loops: see `many_loops`
-  long little_growth_work = 70000;
+  long little_growth_work = 35000;
 
   /// holes, and twice the handles: where there are as many, one cut is much like another, and one terminal more means
-  /// nothing: growth gets little work, and the best cut is not judged
+  /// nothing: growth gets little work
   int many_loops = 40;
 
-  /// times that every terminal is tried elsewhere when the grown cut is polished, unless none moved the time before
+  /// times that every terminal is tried elsewhere at the end of a growth, unless none moved the time before
   int move_rounds = 2;
 
-  // --- selection and refinement on the copy of `decision_faces` ---
+  // --- selection, and refinement on the copy of `decision_faces` ---
 
-  /// good cuts of different lengths that are carried over: a quick score of a simple copy overrates the stretch, the
-  /// more the shorter the cut
+  /// good cuts of different lengths that are carried over to a finer copy
   int selected = 10;
 
-  /// times the best score: a cut with a worse one is not carried over
-  double far = 1.05;
+  /// how far the stretch of a cut that is carried over may lie above the front of all cuts, relative
+  double far = 0.05;
 
   /// places round a terminal, besides that along the cut, where it is tried. Each costs a map.
   int directions = 3;
@@ -135,19 +144,6 @@ struct Cut_numbers
 
   /// vertices mapped to refine a cut, at most: fifteen cuts of 4000 faces
   long refinement_work = 30000;
-
-  // --- judgement: corners searched, maps as those delivered ---
-
-  /// best cuts that are judged. Scores err by one or two per cent, which is more than what parts the first few.
-  int judged = 3;
-
-  /// relative decrease of the energy to which the maps are made; of cuts that were judged on the surface itself and
-  /// differ by less the shortest wins
-  double judging_tolerance = 1e-3;
-
-  /// relative: of cuts that were judged on a copy and differ by less the shortest wins; a copy overrates the stretch of
-  /// short cuts by about that
-  double copy_tolerance = 5e-3;
 
   // --- carrying a cut over to a finer surface ---
 

@@ -13,7 +13,11 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,16 +35,18 @@ struct Scored_cut
   Cut_score score = {};
 };
 
-/// indicates whether the first has the lower score
-inline bool is_better(const Scored_cut& a, const Scored_cut& b)
+/// indicates whether the first has the lower score at a weight: see `Cut_options::cut_weight`
+struct Is_better
 {
-  return a.score.score < b.score.score;
-}
+  double weight;
 
-/// puts a step of the decision into the report
-inline void record(const Scored_cut& cut, Cut_report& report)
+  bool operator()(const Scored_cut& a, const Scored_cut& b) const { return a.score.at(weight) < b.score.at(weight); }
+};
+
+/// the best of the cuts at a weight (ties: the first). \pre there is one
+inline const Scored_cut& best_of(const std::vector<Scored_cut>& cuts, double weight)
 {
-  report.history.push_back({cut.kind, cut.terminal, cut.score.score, cut.score.stretch, cut.score.length});
+  return *std::min_element(cuts.begin(), cuts.end(), Is_better{weight});
 }
 
 /// the cut extended to one terminal more
@@ -89,10 +95,10 @@ public:
   const Triangle_surface& surface() const { return m_surface; }
   const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
-  /// makes cuts by `make(cut)`, concurrently, and scores them. Returns them without those that were extended or moved
-  /// and are too long.
+  /// makes cuts by `make(cut)`, concurrently, and scores them: the best at \p weight well, the others roughly. Returns
+  /// them without those that were extended or moved and are too long.
   template <class Make>
-  std::vector<Scored_cut> operator()(std::vector<Scored_cut> cuts, const Make& make)
+  std::vector<Scored_cut> operator()(std::vector<Scored_cut> cuts, double weight, const Make& make)
   {
     m_team(cuts.size(), [&](std::size_t i) { make(cuts[i]); });
     const auto is_too_long = [this](const Scored_cut& cut) {
@@ -100,34 +106,27 @@ public:
              cut.cut.length(m_surface) > m_greatest_length;
     };
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(), is_too_long), cuts.end());
-    const std::size_t first = m_known.size();
-    std::vector<std::size_t> places;
-    for(const Scored_cut& cut : cuts) {
-      const auto [place, is_new] = m_place_of.try_emplace(cut.cut.edges(), m_known.size());
-      places.push_back(place->second);
-      if(is_new)
-        m_known.push_back(cut);
-    }
-    m_team(m_known.size() - first, [&](std::size_t i) {
-      if(first + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
-        m_known[first + i].score = score_cut(m_surface, m_known[first + i].cut, m_scoring);
+    return score(std::move(cuts), [&](const std::vector<Scored_cut>& unknown) {
+      std::vector<std::size_t> order(unknown.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return Is_better{weight}(unknown[a], unknown[b]); });
+      order.resize((std::min)(order.size(), static_cast<std::size_t>(numbers().scored_well)));
+      return order;
     });
-    const long mapped_before = m_vertices_mapped;
-    for(std::size_t i = first; i < m_known.size(); ++i)
-      m_vertices_mapped += m_known[i].score.vertices;
-    m_progress.advance(double(m_vertices_mapped - mapped_before));
-    for(std::size_t i = 0; i < cuts.size(); ++i)
-      cuts[i].score = m_known[places[i]].score;
-    return cuts;
   }
 
-  /// scores the cuts to begin with
+  /// scores cuts to begin with, all of them well
   std::vector<Scored_cut> start(const std::vector<Cut>& cuts)
   {
     std::vector<Scored_cut> starts;
     for(const Cut& cut : cuts)
       starts.push_back({cut, Cut_step::INITIAL, -1});
-    return (*this)(std::move(starts), [](Scored_cut&) {});
+    return score(std::move(starts), [](const std::vector<Scored_cut>& unknown) {
+      std::vector<std::size_t> order(unknown.size());
+      std::iota(order.begin(), order.end(), 0);
+      return order;
+    });
   }
 
   /// what all scores together have cost: time is all but proportional to it
@@ -139,36 +138,118 @@ public:
   /// what a score has cost. \pre there is one
   long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
 
-  /// good cuts of different lengths, the shortest first: the best of each of `selected` equal ranges of length, unless
-  /// its score is far from the best. The best alone when the deadline has passed.
-  std::vector<Cut> selection() const
+  /// the best of all at a weight. \pre there is one
+  const Scored_cut& best(double weight) const { return best_of(m_known, weight); }
+
+  /// those that are best at some weight, the shortest first: the lower left side of the convex hull of all, as points
+  /// of length and stretch
+  std::vector<const Scored_cut*> front() const
   {
-    const int count = numbers().selected;
-    const Scored_cut& best = *std::min_element(m_known.begin(), m_known.end(), is_better);
-    if(has_passed(m_deadline))
-      return {best.cut};
-    double shortest = best.score.length, longest = shortest;
-    std::vector<const Scored_cut*> good, best_of_range(count, nullptr);
+    std::vector<const Scored_cut*> sorted;
     for(const Scored_cut& known : m_known)
-      if(known.score.score <= numbers().far * best.score.score) {
-        good.push_back(&known);
-        shortest = (std::min)(shortest, known.score.length);
-        longest = (std::max)(longest, known.score.length);
-      }
-    for(const Scored_cut* cut : good) {
-      const double place = longest > shortest ? (cut->score.length - shortest) / (longest - shortest) : 0;
-      const Scored_cut*& best_here = best_of_range[(std::min)(count - 1, static_cast<int>(place * count))];
-      if(best_here == nullptr || is_better(*cut, *best_here))
-        best_here = cut;
+      if(std::isfinite(known.score.stretch))
+        sorted.push_back(&known);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Scored_cut* a, const Scored_cut* b) {
+      return std::pair(a->score.length, a->score.stretch) < std::pair(b->score.length, b->score.stretch);
+    });
+    std::vector<const Scored_cut*> front;
+    for(const Scored_cut* next : sorted) {
+      if(!front.empty() && front.back()->score.stretch <= next->score.stretch)
+        continue;
+      while(front.size() > 1 && is_above_line(*front[front.size() - 2], *front.back(), *next))
+        front.pop_back();
+      front.push_back(next);
+    }
+    return front;
+  }
+
+  /// good cuts of different lengths, the shortest first: of each of `selected` equal ranges of length that which lies
+  /// least above the front, unless it lies far above. The best at \p weight alone when the deadline has passed.
+  std::vector<Cut> selection(double weight) const
+  {
+    const std::vector<const Scored_cut*> best_cuts = front();
+    if(has_passed(m_deadline) || best_cuts.empty())
+      return {best(weight).cut};
+    const double shortest = best_cuts.front()->score.length, longest = best_cuts.back()->score.length;
+    struct Good_cut
+    {
+      double excess;
+      const Cut* cut;
+    };
+    std::vector<Good_cut> best_of_range(numbers().selected, {numbers().far, nullptr});
+    for(const Scored_cut& known : m_known) {
+      if(known.score.length < shortest || known.score.length > longest)
+        continue;
+      const double place = longest > shortest ? (known.score.length - shortest) / (longest - shortest) : 0;
+      const double excess = known.score.stretch / stretch_of_front(best_cuts, known.score.length) - 1;
+      Good_cut& best_here =
+          best_of_range[(std::min)(numbers().selected - 1, static_cast<int>(place * numbers().selected))];
+      if(excess < best_here.excess)
+        best_here = {excess, &known.cut};
     }
     std::vector<Cut> cuts;
-    for(const Scored_cut* cut : best_of_range)
-      if(cut != nullptr)
-        cuts.push_back(cut->cut);
+    for(const Good_cut& good : best_of_range)
+      if(good.cut != nullptr)
+        cuts.push_back(*good.cut);
     return cuts;
   }
 
 private:
+  /// scores those of the cuts that are not known yet: roughly, and those that `choose(unknown)` names well
+  template <class Choose>
+  std::vector<Scored_cut> score(std::vector<Scored_cut> cuts, const Choose& choose)
+  {
+    std::vector<std::size_t> places;
+    std::vector<Scored_cut> unknown;
+    for(const Scored_cut& cut : cuts) {
+      const auto [place, is_new] = m_place_of.try_emplace(cut.cut.edges(), m_known.size() + unknown.size());
+      places.push_back(place->second);
+      if(is_new)
+        unknown.push_back(cut);
+    }
+    std::vector<std::optional<Cut_scoring>> scorings(unknown.size());
+    m_team(unknown.size(), [&](std::size_t i) {
+      if(m_known.size() + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
+        unknown[i].score = scorings[i].emplace(m_surface, unknown[i].cut, m_scoring).score();
+    });
+    const std::vector<std::size_t> chosen = choose(unknown);
+    m_team(chosen.size(), [&](std::size_t i) {
+      std::optional<Cut_scoring>& scoring = scorings[chosen[i]];
+      if(scoring && (m_known.size() + chosen[i] == 0 || !has_passed(m_deadline))) {
+        scoring->refine();
+        unknown[chosen[i]].score = scoring->score();
+      }
+    });
+    long vertices_mapped = 0;
+    for(Scored_cut& cut : unknown) {
+      vertices_mapped += cut.score.vertices;
+      m_known.push_back(std::move(cut));
+    }
+    m_vertices_mapped += vertices_mapped;
+    m_progress.advance(double(vertices_mapped));
+    for(std::size_t i = 0; i < cuts.size(); ++i)
+      cuts[i].score = m_known[places[i]].score;
+    return cuts;
+  }
+
+  /// indicates whether \p middle is not below the line from \p first to \p last, of lengths in that order
+  static bool is_above_line(const Scored_cut& first, const Scored_cut& middle, const Scored_cut& last)
+  {
+    const Cut_score &a = first.score, &b = middle.score, &c = last.score;
+    return (b.stretch - a.stretch) * (c.length - a.length) >= (c.stretch - a.stretch) * (b.length - a.length);
+  }
+
+  /// the stretch of the line through the cuts of the front. \pre the length is not outside
+  static double stretch_of_front(const std::vector<const Scored_cut*>& front, double length)
+  {
+    const auto next = std::find_if(front.begin(), front.end(),
+                                   [length](const Scored_cut* cut) { return cut->score.length >= length; });
+    if(next == front.begin())
+      return (*next)->score.stretch;
+    const Cut_score &b = (*next)->score, &a = (*std::prev(next))->score;
+    return a.stretch + (b.stretch - a.stretch) * (length - a.length) / (b.length - a.length);
+  }
+
   const Triangle_surface& m_surface;
   Cut_score_options m_scoring;
   double m_greatest_length;

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_GROW_CUT_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_GROW_CUT_H
 
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_history.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_pool.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/candidate_terminals.h>
 
@@ -16,57 +17,36 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// grows a cut: terminals are added, dropped and moved while that pays
+/// grows a cut: terminals are added, dropped and moved while that lowers the score at one weight
 class Cut_growth
 {
 public:
-  Cut_growth(Cut_pool& pool, Cut_report& report)
-    : m_pool(pool), m_surface(pool.surface()), m_numbers(pool.numbers()), m_report(report)
+  /// \param work at which it ends, of all scores of the pool together, in vertices mapped
+  Cut_growth(Cut_pool& pool, double weight, long work, Cut_history& history)
+    : m_pool(pool),
+      m_surface(pool.surface()),
+      m_numbers(pool.numbers()),
+      m_is_better{weight},
+      m_work(work),
+      m_history(history)
   {}
 
-  /// what all scores may cost, in vertices mapped; growth may end earlier
-  long most_work() const
+  /// goes from the best cut of the pool to longer cuts, and back, and moves the terminals of the best cut met
+  void operator()()
   {
-    return (std::min)(m_numbers.growth_work_per_vertex * m_surface.number_of_vertices(),
-                      has_many_loops(m_surface, m_numbers) ? m_numbers.little_growth_work : m_numbers.growth_work);
-  }
-
-  /// the best cut met on the way from the best of \p starts to long cuts, and back
-  Cut grow(const std::vector<Cut>& starts)
-  {
-    Scored_cut best = best_start(starts);
+    Scored_cut best = m_pool.best(m_is_better.weight);
+    m_history.add(best);
     Scored_cut overgrown = add_terminals(best);
     drop_terminals(std::move(overgrown), best);
-    return best.cut;
-  }
-
-  /// moves the terminals of the best of \p cuts, and drops those that no longer pay: better cuts come into the pool
-  void polish(const std::vector<Cut>& cuts)
-  {
-    Scored_cut best = best_start(cuts);
     move_terminals(best);
-    drop_terminals(best, best);
   }
 
 private:
-  /// indicates whether another terminal, with all of its candidates, would be too much work, in vertices to map
+  /// indicates whether another terminal, with all of its candidates, would be too much work
   bool is_exhausted() const
   {
     const long next_terminal = 2 * m_numbers.candidates * m_pool.vertices_per_score();
-    return m_pool.is_exhausted(most_work() - next_terminal + 1); // with it, beyond the limit
-  }
-
-  /// the best of the cuts (ties: the first)
-  static Scored_cut best_of(const std::vector<Scored_cut>& cuts)
-  {
-    return *std::min_element(cuts.begin(), cuts.end(), is_better);
-  }
-
-  Scored_cut best_start(const std::vector<Cut>& cuts)
-  {
-    Scored_cut best = best_of(m_pool.start(cuts));
-    record(best, m_report);
-    return best;
+    return m_pool.is_exhausted(m_work - next_terminal + 1); // with it, beyond the limit
   }
 
   /// the cuts that reach one terminal more
@@ -75,7 +55,8 @@ private:
     std::vector<Scored_cut> cuts;
     for(int terminal : terminals)
       cuts.push_back({shorter, kind, terminal});
-    return m_pool(std::move(cuts), [this](Scored_cut& cut) { extend_cut(m_surface, cut.terminal, cut.cut); });
+    return m_pool(std::move(cuts), m_is_better.weight,
+                  [this](Scored_cut& cut) { extend_cut(m_surface, cut.terminal, cut.cut); });
   }
 
   /// adds, as long as patience lasts, the terminal that gives the least score; \p best becomes the best on the way.
@@ -89,7 +70,7 @@ private:
           extensions(current.cut, candidate_terminals(m_surface, current.cut, m_numbers), Cut_step::ADDED);
       if(longer.empty())
         break;
-      follow(best_of(longer), current, best, failures);
+      follow(best_of(longer, m_is_better.weight), current, best, failures);
     }
     return current;
   }
@@ -102,8 +83,9 @@ private:
       std::vector<Scored_cut> shorter;
       for(int terminal : current.cut.terminals())
         shorter.push_back({current.cut, Cut_step::DROPPED, terminal});
-      shorter = m_pool(std::move(shorter), [this](Scored_cut& cut) { free_cut(m_surface, cut.terminal, cut.cut); });
-      follow(best_of(shorter), current, best, failures);
+      shorter = m_pool(std::move(shorter), m_is_better.weight,
+                       [this](Scored_cut& cut) { free_cut(m_surface, cut.terminal, cut.cut); });
+      follow(best_of(shorter, m_is_better.weight), current, best, failures);
     }
   }
 
@@ -111,8 +93,8 @@ private:
   void follow(const Scored_cut& next, Scored_cut& current, Scored_cut& best, int& failures)
   {
     current = next;
-    record(current, m_report);
-    failures = is_better(current, best) ? 0 : failures + 1;
+    m_history.add(current);
+    failures = m_is_better(current, best) ? 0 : failures + 1;
     if(failures == 0)
       best = current;
   }
@@ -132,11 +114,11 @@ private:
         for(int e : m_surface.vertex_edges[terminal])
           places.push_back(m_surface.other_end(e, terminal));
         const auto moved = extensions(shorter, places, Cut_step::MOVED);
-        const auto found = std::min_element(moved.begin(), moved.end(), is_better);
-        if(found == moved.end() || !is_better(*found, best))
+        const auto found = std::min_element(moved.begin(), moved.end(), m_is_better);
+        if(found == moved.end() || !m_is_better(*found, best))
           continue;
         best = *found;
-        record(best, m_report);
+        m_history.add(best);
         is_changed = true;
       }
     }
@@ -145,7 +127,9 @@ private:
   Cut_pool& m_pool;
   const Triangle_surface& m_surface;
   const Cut_numbers& m_numbers;
-  Cut_report& m_report;
+  const Is_better m_is_better;
+  const long m_work;
+  Cut_history& m_history;
 };
 
 } // namespace internal

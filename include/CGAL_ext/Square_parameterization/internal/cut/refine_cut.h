@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REFINE_CUT_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_REFINE_CUT_H
 
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_history.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_pool.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/candidate_terminals.h>
 
@@ -18,7 +19,8 @@ namespace internal {
 
 /// lets each terminal of the cut go, or give way to one at a distance, where that lowers the score; false when it never
 /// does. Ends early when the pool has mapped \p work vertices, or its deadline has passed.
-inline bool improve_cut(Cut_pool& pool, double distance, long work, Scored_cut& best, Cut_report& report)
+inline bool improve_cut(Cut_pool& pool, double weight, double distance, long work, Scored_cut& best,
+                        Cut_history& history)
 {
   const Triangle_surface& surface = pool.surface();
   bool is_improved = false;
@@ -30,29 +32,30 @@ inline bool improve_cut(Cut_pool& pool, double distance, long work, Scored_cut& 
       cuts.push_back({best.cut, Cut_step::DROPPED, terminal});
     for(int place : nearby_places(surface, best.cut, terminal, distance, pool.numbers().directions))
       cuts.push_back({best.cut, Cut_step::MOVED, place});
-    cuts = pool(std::move(cuts), [&](Scored_cut& cut) {
+    cuts = pool(std::move(cuts), weight, [&](Scored_cut& cut) {
       if(cut.kind == Cut_step::MOVED)
         extend_cut(surface, cut.terminal, cut.cut);
       free_cut(surface, terminal, cut.cut);
     });
+    const Is_better is_better{weight};
     const auto found = std::min_element(cuts.begin(), cuts.end(), is_better);
     if(found == cuts.end() || !is_better(*found, best))
       continue;
     best = *found;
-    record(best, report);
+    history.add(best);
     is_improved = true;
   }
   return is_improved;
 }
 
 /// moves, or drops, terminals of a cut as long as that lowers its score: first by large steps, then by smaller ones
-inline void refine_cut(Cut_pool& pool, Scored_cut& cut, Cut_report& report)
+inline void refine_cut(Cut_pool& pool, double weight, Scored_cut& cut, Cut_history& history)
 {
   const Cut_numbers& numbers = pool.numbers();
-  record(cut, report);
+  history.add(cut);
   const long work = pool.vertices_mapped() + numbers.refinement_work;
   for(double step = numbers.first_step; step >= numbers.last_step && !pool.is_exhausted(work);)
-    if(!improve_cut(pool, step * std::sqrt(pool.surface().area), work, cut, report))
+    if(!improve_cut(pool, weight, step * std::sqrt(pool.surface().area), work, cut, history))
       step /= 2;
 }
 

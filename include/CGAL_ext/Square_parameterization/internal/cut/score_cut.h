@@ -7,13 +7,22 @@
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/border/corners_at_shares.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/Balanced_energy.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -22,44 +31,48 @@ namespace internal {
 /// how a cut is judged
 struct Cut_score_options
 {
-  double cut_weight = Cut_options().cut_weight; ///< stretch that a cut of length sqrt(area) must save
-  double balance = Seam_options().balance;      ///< of the energy that is minimised
+  double balance = Seam_options().balance;              ///< of the energy that is minimised
+  std::optional<double> aspect = Seam_options().aspect; ///< of the rectangle; none for the best
   Cut_numbers numbers = {};
-
-  double score(double stretch, double length) const { return stretch + cut_weight * length; }
 };
 
-/// what a cut is worth; the lower the better
+/// what a cut is worth: the lower both, the better
 struct Cut_score
 {
-  double score = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
-  double stretch = std::numeric_limits<double>::infinity();
-  double length = 0;    ///< in units of sqrt(area)
+  double stretch = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
+  double length = 0;                                        ///< in units of sqrt(area)
   bool is_slow = false; ///< the map that tells the stretch was made from coarse to fine
   long vertices = 0;    ///< of the opened surface that was mapped, several times when that was slow: what it has cost
+
+  /// \param weight stretch that a cut of length sqrt(area) must save
+  double at(double weight) const { return stretch + weight * length; }
 };
 
-/// candidates of the first quarter of the border, spread evenly by length
-inline std::vector<int> spread_candidates(const Border_walk& walk, int count)
+/// shares of the border that a side of the rectangle may have: for a given one as long as it is, for the best one
+/// several; the next side has what is left of a half
+inline std::vector<double> shares_of_side(const std::optional<double>& aspect)
 {
-  std::vector<int> candidates;
-  const int m = number_of_quarter_candidates(walk);
-  double length = 0;
-  for(int j = 0; j < m; ++j) {
-    if(length >= static_cast<double>(candidates.size()) * walk.total_length() / 4 / count)
-      candidates.push_back(j);
-    length += walk.length(j);
-  }
-  return candidates;
+  if(aspect)
+    return {*aspect / (1 + *aspect) / 2};
+  return {0.05, 0.12, 0.19, 0.25};
 }
 
-/// borders with their corners at the candidates
-inline std::vector<Uv_coordinates> spread_borders(const Patch& patch, int count)
+/// borders with their corners spread evenly over the border: of a square over a quarter of it, of a rectangle, which
+/// looks different after a quarter turn, over half of it
+inline std::vector<Uv_coordinates> spread_borders(const Patch& patch, int count,
+                                                  const std::optional<double>& aspect = 1)
 {
   const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
   std::vector<Uv_coordinates> borders;
-  for(int candidate : spread_candidates(walk, count))
-    borders.push_back(square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv);
+  for(double side : shares_of_side(aspect))
+    for(int i = 0; i < count; ++i) {
+      const double start = (side == 0.25 ? 0.25 : 0.5) * i / count;
+      if(const auto corners =
+             corners_at_shares(patch.border_lengths, {start, start + side, start + 0.5, start + 0.5 + side}))
+        borders.push_back(square_border(walk, *corners).uv);
+    }
+  if(borders.empty()) // a border of few vertices
+    borders.push_back(square_border(walk, corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv);
   return borders;
 }
 
@@ -71,10 +84,13 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   Stretch_minimization start;
   start.maximum_iterations = static_cast<unsigned int>(options.numbers.start_iterations);
   const Stretch_iteration iteration(patch, start);
+  const Balanced_energy energy(patch, options.balance, options.aspect);
   Stretch_iteration::Workspace workspace;
   Minimized_map best;
   for(const Uv_coordinates& border : borders) {
     Minimized_map map = iteration.minimize(border, 1, workspace);
+    if(map.uv.rows() > 0 && options.aspect != 1.)
+      map.report.l2 = std::sqrt(stretch_energy(patch, on_rectangle(map.uv, energy.aspect(map.uv))));
     if(map.report.l2 < best.report.l2)
       best = std::move(map);
     if(best.uv.rows() == 0)
@@ -83,61 +99,106 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   return best;
 }
 
-/// the map for the corners of the start, which goes on with the balanced minimizer, for the steps that are allowed
-inline Minimized_map quick_map(const Patch& patch, Minimized_map start, const Cut_score_options& options)
-{
-  Balanced_minimization balanced;
-  balanced.balance = options.balance;
-  balanced.maximum_iterations = static_cast<unsigned int>(options.numbers.score_steps);
-  Balanced_minimizer::Workspace workspace;
-  const Balanced_minimizer minimizer(patch, balanced);
-  return minimizer.minimize({std::move(start.uv), {}, {}}, options.numbers.score_tolerance, workspace);
-}
-
 /// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched
 inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, const Cut_score_options& options)
 {
   Balanced_minimization minimization;
   minimization.balance = options.balance;
+  minimization.aspect = options.aspect;
   minimization.search_tolerance = options.numbers.score_tolerance;
   minimization.maximum_iterations = static_cast<unsigned int>(options.numbers.score_steps);
   return make_minimizer(patch, minimization)->make_worker()(border, nullptr);
 }
 
-/// a stretch that is all but the least for a few corners, and what it has cost. Of the corners a cheap iteration tells
-/// which are mapped in earnest.
-inline Cut_score stretch_score(const Patch& patch, const Cut_score_options& options)
+/// scores a cut by the stretch that it leaves and by its length, in two steps: a rough map bounds the stretch from
+/// above, and tells which of several cuts are worth a good one
+class Cut_scoring
 {
-  Cut_score score;
-  const std::vector<Uv_coordinates> borders = spread_borders(patch, options.numbers.corner_candidates);
-  Minimized_map start = quick_start(patch, borders, options);
-  Uv_coordinates border = borders.front();
-  score.is_slow = true;
-  if(start.uv.rows() > 0) {
-    border = border_coordinates(patch, start.uv);
-    const double start_l2 = start.report.l2;
-    const Minimization_report quick = quick_map(patch, std::move(start), options).report;
-    score.stretch = (std::min)(start_l2, quick.l2);
-    score.is_slow = quick.stop_reason == Stop_reason::MAXIMUM_ITERATIONS;
+public:
+  /// the rough map. Of the corners a cheap iteration tells which are mapped in earnest.
+  Cut_scoring(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options) : m_options(options)
+  {
+    m_score.length = cut.length(surface) / std::sqrt(surface.area);
+    m_score.vertices = surface.number_of_vertices();
+    try {
+      m_patch = std::make_unique<const Patch>(patch_of_cut(surface, cut));
+      start();
+    } catch(const Unmappable&) { // of this cut nothing is known but that it is not the best
+      m_patch.reset();
+    }
   }
-  if(score.is_slow)
-    score.stretch = (std::min)(score.stretch, slow_map(patch, border, options).report.l2);
-  score.vertices = (score.is_slow ? options.numbers.slow_map_work : 1) * patch.number_of_vertices();
-  return score;
-}
 
-/// scores a cut by the stretch that it leaves on the square and by its length
+  const Cut_score& score() const { return m_score; }
+
+  /// goes on with the map until its stretch is all but the least for the corners; frees its memory
+  void refine()
+  {
+    if(!m_patch)
+      return;
+    try {
+      minimize(m_options.numbers.score_tolerance);
+      if(m_score.is_slow)
+        map_slowly();
+    } catch(const Unmappable&) { // the rough map is what is known
+    }
+    m_minimizer.reset();
+    m_patch.reset();
+  }
+
+private:
+  void start()
+  {
+    const std::vector<Uv_coordinates> borders =
+        spread_borders(*m_patch, m_options.numbers.corner_candidates, m_options.aspect);
+    m_map = quick_start(*m_patch, borders, m_options);
+    m_border = borders.front();
+    m_score.vertices = m_patch->number_of_vertices();
+    if(m_map.uv.rows() == 0) {
+      map_slowly();
+      return;
+    }
+    m_border = border_coordinates(*m_patch, m_map.uv);
+    m_score.stretch = m_map.report.l2;
+    m_map.report = {};
+    Balanced_minimization balanced;
+    balanced.balance = m_options.balance;
+    balanced.aspect = m_options.aspect;
+    balanced.maximum_iterations = static_cast<unsigned int>(m_options.numbers.score_steps);
+    m_minimizer = std::make_unique<const Balanced_minimizer>(*m_patch, balanced);
+    minimize(m_options.numbers.rough_score_tolerance);
+  }
+
+  void minimize(double tolerance)
+  {
+    if(!m_minimizer)
+      return;
+    Balanced_minimizer::Workspace workspace;
+    m_map = m_minimizer->minimize(std::move(m_map), tolerance, workspace);
+    m_score.stretch = (std::min)(m_score.stretch, m_map.report.l2);
+    m_score.is_slow = m_map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS;
+  }
+
+  void map_slowly()
+  {
+    m_score.is_slow = true;
+    m_score.vertices = m_options.numbers.slow_map_work * m_patch->number_of_vertices();
+    m_score.stretch = (std::min)(m_score.stretch, slow_map(*m_patch, m_border, m_options).report.l2);
+  }
+
+  const Cut_score_options& m_options;
+  Cut_score m_score;
+  std::unique_ptr<const Patch> m_patch;
+  std::unique_ptr<const Balanced_minimizer> m_minimizer;
+  Minimized_map m_map;
+  Uv_coordinates m_border;
+};
+
+/// the score of one cut
 inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options)
 {
-  Cut_score score;
-  score.vertices = surface.number_of_vertices();
-  try {
-    score = stretch_score(patch_of_cut(surface, cut), options);
-  } catch(const Unmappable&) { // of this cut nothing is known but that it is not the best
-  }
-  score.length = cut.length(surface) / std::sqrt(surface.area);
-  score.score = options.score(score.stretch, score.length);
-  return score;
+  Cut_scoring scoring(surface, cut, options);
+  scoring.refine();
+  return scoring.score();
 }
 
 } // namespace internal

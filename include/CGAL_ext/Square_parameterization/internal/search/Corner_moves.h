@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H
 
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
+#include <CGAL_ext/Square_parameterization/internal/border/corners_at_shares.h>
 
 #include <algorithm>
 #include <array>
@@ -114,7 +115,7 @@ public:
     for(int i = 0; i < ROTATIONS; ++i)
       for(double share : {0.03, 0.07, 0.12, 0.18, 0.25, 0.32, 0.38, 0.43, 0.47}) {
         const double start = 0.5 * i / ROTATIONS;
-        if(const auto corners = at({start, start + share, start + 0.5, start + 0.5 + share}))
+        if(const auto corners = corners_at_shares(m_lengths, {start, start + share, start + 0.5, start + 0.5 + share}))
           spread.push_back(*corners);
       }
     std::vector<Choice> choices = compare(spread);
@@ -124,24 +125,6 @@ public:
 
 private:
   int size() const { return static_cast<int>(m_lengths.size()); }
-
-  /// the border vertices nearest to shares of the length of the border; none when two are one
-  std::optional<Corners> at(const std::array<double, 4>& shares) const
-  {
-    const double total = std::accumulate(m_lengths.begin(), m_lengths.end(), 0.);
-    Corners corners{};
-    for(int k = 0; k < 4; ++k) {
-      const double aim = (shares[k] - std::floor(shares[k])) * total;
-      double before = 0, least = std::numeric_limits<double>::infinity();
-      for(int v = 0; v < size(); before += m_lengths[v++])
-        if(const double distance = (std::min)(std::abs(before - aim), total - std::abs(before - aim));
-           distance < least) {
-          least = distance;
-          corners[k] = v;
-        }
-    }
-    return are_corners_in_order(corners, size()) ? std::optional<Corners>(corners) : std::nullopt;
-  }
 
   /// how many steps each corner goes
   typedef std::array<int, 4> Move;

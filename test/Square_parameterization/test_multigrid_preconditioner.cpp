@@ -19,14 +19,17 @@ namespace {
 /// a patch, the next coarser one, and the V-cycle over both at a map of the first
 struct Two_levels
 {
-  explicit Two_levels(const Patch& fine_patch)
+  Two_levels(const Patch& fine_patch, int vertices_per_block)
     : patch(fine_patch),
       patches(patch, false),
-      energy(patch, 0.3),
-      coarse_energy(coarsened(), 0.3),
-      coarse(patches[1]),
-      fine(patch, patches.coarse(1), coarse)
+      division(patch, vertices_per_block),
+      coarse_division(coarsened()),
+      energy(patch, 0.3, 1, &division),
+      coarse_energy(patches[1], 0.3),
+      coarse(patches[1], coarse_division),
+      fine(patch, division, patches.coarse(1))
   {
+    fine.set_coarser(coarse);
     const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
     uv = make_minimizer(patch, Balanced_minimization())
              ->make_worker()(square_border(walk, corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv, nullptr)
@@ -60,6 +63,7 @@ struct Two_levels
 
   const Patch& patch;
   Patch_sequence patches;
+  Patch_division division, coarse_division;
   Balanced_energy energy, coarse_energy;
   Multigrid_preconditioner coarse, fine;
   Multigrid_preconditioner::Memory coarse_memory, memory;
@@ -77,7 +81,9 @@ double dot(const Uv_coordinates& a, const Uv_coordinates& b)
 TEST_CASE("the V-cycle is symmetric, positive, and leaves what may not move")
 {
   const Patch patch = make_patch_of(noisy_height_field(20));
-  Two_levels levels(patch);
+  const int vertices_per_block = GENERATE(1000, 100, 20); // one block, and many
+  Two_levels levels(patch, vertices_per_block);
+  CHECK(levels.division.is_divided() == (vertices_per_block < 1000));
   for(int i = 0; i < 5; ++i) {
     const Uv_coordinates a = levels.random_vector(), b = levels.random_vector();
     const Uv_coordinates at_a = levels.cycle(a), at_b = levels.cycle(b);
@@ -90,7 +96,7 @@ TEST_CASE("the V-cycle is symmetric, positive, and leaves what may not move")
 TEST_CASE("V-cycles solve the equations that factors solve, with less error each time")
 {
   const Patch patch = make_patch_of(saddle(24));
-  Two_levels levels(patch);
+  Two_levels levels(patch, GENERATE(1000, 50)); // one block, and many
   const Axis_preconditioner direct(patch);
   Axis_preconditioner::Factors factors;
   REQUIRE(direct.factorize(levels.energy, levels.uv, levels.is_free, factors));
@@ -98,16 +104,17 @@ TEST_CASE("V-cycles solve the equations that factors solve, with less error each
   Uv_coordinates exact = right_hand_side;
   direct.apply(factors, exact);
 
-  // the residual is taken with the matrix of the V-cycle itself, in its upper triangle
+  // the residual is taken with the matrix of the V-cycle itself, in its upper triangle, of which the rows are ranks
   const auto residual = [&](const Uv_coordinates& x) {
     Uv_coordinates result = right_hand_side;
     const Axis_matrix::Matrix& matrix = levels.memory.matrix;
     for(int j = 0; j < matrix.outerSize(); ++j)
       for(Axis_matrix::Matrix::InnerIterator it(matrix, j); it; ++it)
         for(int axis = 0; axis < 2; ++axis) {
-          result(it.row(), axis) -= it.value()[axis] * x(j, axis);
-          if(it.row() != j)
-            result(j, axis) -= it.value()[axis] * x(it.row(), axis);
+          const int v = levels.division.vertex(static_cast<int>(it.row())), w = levels.division.vertex(j);
+          result(v, axis) -= it.value()[axis] * x(w, axis);
+          if(v != w)
+            result(w, axis) -= it.value()[axis] * x(v, axis);
         }
     return result;
   };

@@ -85,6 +85,7 @@ public:
       coarse.removals.push_back({collapse.from, collapse.to, ring, std::move(target_ring)});
     }
     gather(coarse);
+    coarse.waves = waves_of(coarse.removals, m_fine.number_of_vertices());
     return coarse;
   }
 

@@ -12,6 +12,13 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Secant_memory.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -23,6 +30,8 @@ namespace internal {
 ///
 /// A step goes at most nine tenths of the way to the first triangle without area; the line search halves. The sweep
 /// then mends the triangles that stood in the way, which would keep the next steps short, too.
+///
+/// Works with the threads of the current team; the result does not depend on their number.
 class Balanced_minimizer
 {
 public:
@@ -36,15 +45,36 @@ public:
   /// of a small patch
   /// \param deadline when it has passed a minimization ends with the map so far
   Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline = {})
-    : Balanced_minimizer(patch, options, deadline, Multigrid_preconditioner(patch))
+    : Balanced_minimizer(Patch_division(patch), patch, options, deadline)
   {}
 
-  /// of a large patch, of which coarser ones have been minimised
-  Balanced_minimizer(const Patch& patch, const Coarse_patch& to_coarser, const Balanced_minimizer& coarser,
-                     const Balanced_minimization& options, const Deadline& deadline)
-    : Balanced_minimizer(patch, options, deadline,
-                         Multigrid_preconditioner(patch, to_coarser, coarser.m_preconditioner))
+  /// the same, with the patch divided already
+  Balanced_minimizer(Patch_division division, const Patch& patch, const Balanced_minimization& options,
+                     const Deadline& deadline)
+    : m_division(std::move(division)),
+      m_energy(patch, options.balance, options.aspect, &m_division),
+      m_preconditioner(patch, m_division),
+      m_sweep(patch, m_division, options.balance),
+      m_options(options),
+      m_deadline(deadline)
   {}
+
+  /// of a large patch, of which coarser ones are minimised before; `set_coarser()` is to follow
+  Balanced_minimizer(Patch_division division, const Patch& patch, const Coarse_patch& to_coarser,
+                     const Balanced_minimization& options, const Deadline& deadline)
+    : m_division(std::move(division)),
+      m_energy(patch, options.balance, options.aspect, &m_division),
+      m_preconditioner(patch, m_division, to_coarser),
+      m_sweep(patch, m_division, options.balance),
+      m_options(options),
+      m_deadline(deadline)
+  {}
+
+  Balanced_minimizer(const Balanced_minimizer&) = delete;
+  Balanced_minimizer& operator=(const Balanced_minimizer&) = delete;
+
+  /// tells a minimizer of a large patch what minimises the next coarser one
+  void set_coarser(const Balanced_minimizer& coarser) { m_preconditioner.set_coarser(coarser.m_preconditioner); }
 
   const Patch& patch() const { return m_energy.patch(); }
 
@@ -106,8 +136,9 @@ public:
         report.stop_reason = Stop_reason::CONVERGED;
         break;
       }
-      const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope);
-      if(!search_line(report.objective, slope, map.uv, workspace)) {
+      double feasible = largest_step(patch(), map.uv, workspace.direction);
+      const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope, feasible);
+      if(!search_line(report.objective, slope, feasible, map.uv, workspace)) {
         if(age == 0 && memory.is_empty()) {
           report.stop_reason = Stop_reason::NO_LOWER_MAP;
           break;
@@ -124,7 +155,7 @@ public:
         memory.clear(); // of a step that was none of the whole mesh
     }
     map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * patch().number_of_vertices();
-    report.gradient_norm = workspace.gradient.norm();
+    report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
     return map;
   }
@@ -143,15 +174,6 @@ public:
   }
 
 private:
-  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline,
-                     Multigrid_preconditioner preconditioner)
-    : m_energy(patch, options.balance, options.aspect),
-      m_preconditioner(std::move(preconditioner)),
-      m_sweep(patch, options.balance),
-      m_options(options),
-      m_deadline(deadline)
-  {}
-
   /// on the rectangle of the energy
   void measure_stretch(Minimized_map& map) const
   {
@@ -177,7 +199,7 @@ private:
   double gradient_at(const Uv_coordinates& uv, const Free_coordinates& is_free, Uv_coordinates& gradient) const
   {
     const double energy = m_energy.gradient(uv, gradient);
-    gradient = is_free.select(gradient, 0.);
+    set_rows(gradient, uv.rows(), [&](const auto& rows) { return rows(is_free).select(rows(gradient), 0.); });
     return energy;
   }
 
@@ -185,14 +207,18 @@ private:
   double find_direction(Secant_memory& memory, Workspace& workspace) const
   {
     const auto precondition = [&](Uv_coordinates& x) { m_preconditioner.apply(workspace.preconditioner, x); };
-    workspace.direction = -workspace.gradient;
+    const auto descend_steepest = [&workspace] {
+      set_rows(workspace.direction, workspace.gradient.rows(),
+               [&](const auto& rows) { return -rows(workspace.gradient); });
+    };
+    descend_steepest();
     memory.apply(precondition, workspace.direction);
-    double slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+    double slope = dot(workspace.gradient, workspace.direction);
     if(!(slope < 0) && !memory.is_empty()) {
       memory.clear();
-      workspace.direction = -workspace.gradient;
+      descend_steepest();
       precondition(workspace.direction);
-      slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+      slope = dot(workspace.gradient, workspace.direction);
     }
     return slope;
   }
@@ -200,42 +226,48 @@ private:
   /// turns to another direction where triangles that lose their area on a small part of the way would keep the step
   /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Returns
   /// false when there are none; else the factors are of this direction alone.
+  /// \param feasible the largest step in the direction
   bool go_round_blocked(const Free_coordinates& is_free, Secant_memory& memory, const Uv_coordinates& uv,
-                        Workspace& workspace, double& slope) const
+                        Workspace& workspace, double& slope, double& feasible) const
   {
+    if(!is_blocked(feasible))
+      return false;
     Free_coordinates moves = is_free;
-    bool goes_round = false;
-    for(int i = 0; i < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && fix_blocked(uv, workspace.direction, moves); ++i) {
-      goes_round = true;
+    for(int i = 0; i < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible); ++i) {
+      fix_blocked(uv, workspace.direction, moves);
       memory.clear();
       if(!m_preconditioner.factorize(m_energy, uv, moves, workspace.preconditioner))
         break;
       workspace.direction = moves.select(-workspace.gradient, 0.);
       m_preconditioner.apply(workspace.preconditioner, workspace.direction);
-      slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+      slope = dot(workspace.gradient, workspace.direction);
+      feasible = largest_step(patch(), uv, workspace.direction);
     }
-    return goes_round;
+    return true;
   }
 
-  /// lets the vertices of triangles that stand in the way stay; false when there are none
-  bool fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
+  static bool is_blocked(double feasible)
   {
-    bool is_any_blocked = false;
+    return Minimizer_numbers::STEP_SAFETY * feasible < Minimizer_numbers::BLOCKED_STEP;
+  }
+
+  /// lets the vertices of triangles that stand in the way stay
+  void fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
+  {
     for(const auto& t : patch().triangles)
-      if(Minimizer_numbers::STEP_SAFETY * largest_step(t, uv, direction) < Minimizer_numbers::BLOCKED_STEP) {
-        is_any_blocked = true;
+      if(is_blocked(largest_step(t, uv, direction)))
         for(int v : t)
           moves(v, 0) = moves(v, 1) = false;
-      }
-    return is_any_blocked;
   }
 
   /// sets the trial to a map of lower energy on the line from \p uv; false when there is none
-  bool search_line(double energy, double slope, const Uv_coordinates& uv, Workspace& workspace) const
+  /// \param feasible the largest step in the direction
+  bool search_line(double energy, double slope, double feasible, const Uv_coordinates& uv, Workspace& workspace) const
   {
-    double length = (std::min)(1., Minimizer_numbers::STEP_SAFETY * largest_step(patch(), uv, workspace.direction));
+    double length = (std::min)(1., Minimizer_numbers::STEP_SAFETY * feasible);
     for(int i = 0; i < Minimizer_numbers::MAXIMUM_STEP_HALVINGS; ++i, length /= 2) {
-      workspace.trial = uv + length * workspace.direction;
+      set_rows(workspace.trial, uv.rows(),
+               [&](const auto& rows) { return rows(uv) + length * rows(workspace.direction); });
       if(m_energy(workspace.trial) <= energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope)
         return true;
     }
@@ -248,11 +280,16 @@ private:
     m_sweep(is_free, m_energy.scale(workspace.trial), workspace.trial);
     workspace.previous_gradient.swap(workspace.gradient);
     const double energy = gradient_at(workspace.trial, is_free, workspace.gradient);
-    memory.add(workspace.trial - uv, workspace.gradient - workspace.previous_gradient);
     uv.swap(workspace.trial);
+    Uv_coordinates &change = workspace.trial, &gradient_change = workspace.previous_gradient; // in place
+    set_rows(change, uv.rows(), [&](const auto& rows) { return rows(uv) - rows(change); });
+    set_rows(gradient_change, uv.rows(),
+             [&](const auto& rows) { return rows(workspace.gradient) - rows(gradient_change); });
+    memory.add(change, gradient_change);
     return energy;
   }
 
+  Patch_division m_division;
   Balanced_energy m_energy;
   Multigrid_preconditioner m_preconditioner;
   Vertex_sweep m_sweep;

@@ -5,12 +5,11 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MULTIGRID_PRECONDITIONER_H
 
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_preconditioner.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Matrix_sweep.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_interpolation.h>
 
-#include <numeric>
+#include <cstddef>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -22,7 +21,8 @@ namespace internal {
 /// memory. The coarser patches have matrices of their own, at their own maps.
 ///
 /// One sweep of Gauss and Seidel before the coarse correction and one after it, in the other direction, keep the
-/// approximate inverse symmetric and positive definite.
+/// approximate inverse symmetric and positive definite. They visit the vertices in the order of the division: its blocks
+/// at a time, on the threads of the current team.
 class Multigrid_preconditioner
 {
 public:
@@ -35,21 +35,25 @@ public:
     Axis_preconditioner::Factors factors; // of a small patch
     Axis_matrix::Matrix matrix;           // of a large one
     Free_coordinates is_free;
-    Uv_coordinates residual, solution, correction, coarse;
+    Uv_coordinates right_hand_side, residual, solution, correction; // of a large one: by ranks
+    Uv_coordinates coarse;
   };
 
   /// of a patch that is small
-  explicit Multigrid_preconditioner(const Patch& patch) { m_direct.emplace(patch); }
+  /// \param division of the patch, which must live as long
+  Multigrid_preconditioner(const Patch& patch, const Patch_division& division) { m_direct.emplace(patch, &division); }
 
-  /// of a patch that is large
-  Multigrid_preconditioner(const Patch& patch, const Coarse_patch& to_coarser, const Multigrid_preconditioner& coarser)
-    : m_coarser(&coarser)
+  /// of a patch that is large; `set_coarser()` is to follow
+  Multigrid_preconditioner(const Patch& patch, const Patch_division& division, const Coarse_patch& to_coarser)
+    : m_division(&division)
   {
-    std::vector<int> rank(patch.number_of_vertices());
-    std::iota(rank.begin(), rank.end(), 0);
-    m_matrix.emplace(patch, std::move(rank));
-    m_interpolation.emplace(patch, to_coarser);
+    m_matrix.emplace(patch, division.ranks(), &division);
+    m_interpolation.emplace(patch, to_coarser, division.ranks());
+    m_sweep.emplace(division, m_matrix->make());
   }
+
+  /// tells what is for the coarser patch
+  void set_coarser(const Multigrid_preconditioner& coarser) { m_coarser = &coarser; }
 
   /// takes the matrices at \p uv; false when they are singular
   bool factorize(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
@@ -77,58 +81,28 @@ private:
     if(memory.matrix.nonZeros() == 0)
       memory.matrix = m_matrix->make();
     m_matrix->set(energy, uv, is_free, memory.matrix);
-    for(Eigen::Index j = 0; j < memory.matrix.cols(); ++j)
-      if(const Number_per_axis d = diagonal(memory.matrix, j); !(d[0] > 0 && d[1] > 0))
-        return false;
-    return true;
-  }
-
-  // the entries of a column of the upper triangle end with the one on the diagonal
-
-  static const Number_per_axis& diagonal(const Axis_matrix::Matrix& matrix, Eigen::Index j)
-  {
-    return matrix.valuePtr()[matrix.outerIndexPtr()[j + 1] - 1];
-  }
-
-  template <class Visit>
-  static void for_above_diagonal(const Axis_matrix::Matrix& matrix, Eigen::Index j, const Visit& visit)
-  {
-    for(int k = matrix.outerIndexPtr()[j], end = matrix.outerIndexPtr()[j + 1] - 1; k < end; ++k)
-      visit(matrix.innerIndexPtr()[k], matrix.valuePtr()[k]);
-  }
-
-  static Number_per_axis at(const Uv_coordinates& uv, Eigen::Index v) { return {uv(v, 0), uv(v, 1)}; }
-
-  static void put(const Number_per_axis& p, Eigen::Index v, Uv_coordinates& uv)
-  {
-    uv(v, 0) = p[0];
-    uv(v, 1) = p[1];
+    return Matrix_sweep::has_positive_diagonal(memory.matrix);
   }
 
   void cycle(Memory& memory, Uv_coordinates& x) const
   {
-    sweep_from_zero(memory.matrix, x, memory.solution, memory.residual);
+    Uv_coordinates &b = memory.right_hand_side, &solution = memory.solution;
+    b.resize(x.rows(), 2);
+    for_ranges(x.rows(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+        b.row(i) = x.row(m_division->vertex(static_cast<int>(i)));
+    });
+    m_sweep->from_zero(memory.matrix, b, solution, memory.residual);
     if(memory.coarser != nullptr && memory.coarser->is_set)
       correct_on_coarser(memory);
-    subtract_product(memory.matrix, memory.solution, x);
-    sweep_back(memory.matrix, x);
-    x += memory.solution;
-  }
-
-  /// one sweep from zero for the right hand side \p x. The residual that it leaves comes from what is later in the order.
-  static void sweep_from_zero(const Axis_matrix::Matrix& matrix, const Uv_coordinates& x, Uv_coordinates& solution,
-                              Uv_coordinates& residual)
-  {
-    solution.resize(x.rows(), 2);
-    residual.setZero(x.rows(), 2);
-    for(Eigen::Index j = 0; j < x.rows(); ++j) {
-      Number_per_axis here = at(x, j);
-      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) { here -= a * at(solution, i); });
-      here /= diagonal(matrix, j);
-      put(here, j, solution);
-      for_above_diagonal(matrix, j,
-                         [&](int i, const Number_per_axis& a) { put(at(residual, i) - a * here, i, residual); });
-    }
+    m_sweep->subtract_product(memory.matrix, solution, b);
+    m_sweep->back(memory.matrix, b);
+    for_ranges(x.rows(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v) {
+        const int i = m_division->rank(static_cast<int>(v));
+        x.row(v) = b.row(i) + solution.row(i);
+      }
+    });
   }
 
   /// adds to the solution what the coarser patch makes of the residual
@@ -140,37 +114,22 @@ private:
     m_coarser->apply(coarser, memory.coarse);
     memory.correction.resize(memory.solution.rows(), 2);
     m_interpolation->prolong(memory.coarse, memory.correction);
-    memory.solution += memory.is_free.select(memory.correction, 0.);
-  }
-
-  /// x becomes x - A y
-  static void subtract_product(const Axis_matrix::Matrix& matrix, const Uv_coordinates& y, Uv_coordinates& x)
-  {
-    for(Eigen::Index j = 0; j < x.rows(); ++j) {
-      const Number_per_axis here = at(y, j);
-      Number_per_axis sum = diagonal(matrix, j) * here;
-      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) {
-        sum += a * at(y, i);
-        put(at(x, i) - a * here, i, x);
-      });
-      put(at(x, j) - sum, j, x);
-    }
-  }
-
-  /// one sweep from zero in the other direction: x, a right hand side, becomes its result
-  static void sweep_back(const Axis_matrix::Matrix& matrix, Uv_coordinates& x)
-  {
-    for(Eigen::Index j = x.rows(); j-- > 0;) {
-      const Number_per_axis here = at(x, j) / diagonal(matrix, j);
-      put(here, j, x);
-      for_above_diagonal(matrix, j, [&](int i, const Number_per_axis& a) { put(at(x, i) - a * here, i, x); });
-    }
+    for_ranges(memory.solution.rows(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i) {
+        const int v = m_division->vertex(static_cast<int>(i));
+        for(int axis = 0; axis < 2; ++axis)
+          if(memory.is_free(v, axis))
+            memory.solution(i, axis) += memory.correction(i, axis);
+      }
+    });
   }
 
   const Multigrid_preconditioner* m_coarser = nullptr;
   std::optional<Axis_preconditioner> m_direct;         // of a small patch
+  const Patch_division* m_division = nullptr;          // of a large one
   std::optional<Axis_matrix> m_matrix;                 // of a large one
   std::optional<Vertex_interpolation> m_interpolation; // of a large one
+  std::optional<Matrix_sweep> m_sweep;                 // of a large one
 };
 
 } // namespace internal

@@ -65,8 +65,13 @@ public:
     m_rough_level = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
     coarsen({std::nullopt});
     m_minimizers.resize(m_patches.size());
-    for(std::size_t level = m_patches.size(); level-- > 0;)
-      m_minimizers[level] = make_minimizer_of(level, level == 0 ? options : coarse_options);
+    const std::vector<std::vector<int>> curves = curves_through_patches();
+    Thread_team::current()(m_patches.size(), [&](std::size_t level) {
+      m_minimizers[level] = make_minimizer_of(level, curves[level], level == 0 ? options : coarse_options);
+    });
+    for(std::size_t level = 0; level + 1 < m_patches.size(); ++level)
+      if(is_large(level))
+        m_minimizers[level]->set_coarser(*m_minimizers[level + 1]);
   }
 
   /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
@@ -187,13 +192,32 @@ private:
     return level + 1 < m_patches.size() && m_patches[level].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED;
   }
 
-  /// \pre those of the coarser patches are made
-  std::unique_ptr<Balanced_minimizer> make_minimizer_of(std::size_t level, const Balanced_minimization& options) const
+  std::unique_ptr<Balanced_minimizer> make_minimizer_of(std::size_t level, const std::vector<int>& curve,
+                                                        const Balanced_minimization& options) const
   {
+    const Patch& patch = m_patches[level];
+    Patch_division division(patch, curve);
     if(is_large(level))
-      return std::make_unique<Balanced_minimizer>(m_patches[level], m_patches.coarse(level + 1),
-                                                  *m_minimizers[level + 1], options, m_deadline);
-    return std::make_unique<Balanced_minimizer>(m_patches[level], options, m_deadline);
+      return std::make_unique<Balanced_minimizer>(std::move(division), patch, m_patches.coarse(level + 1), options,
+                                                  m_deadline);
+    return std::make_unique<Balanced_minimizer>(std::move(division), patch, options, m_deadline);
+  }
+
+  /// for `Patch_division`, of each patch that is large: the coarse ones are visited in the order of the finest
+  std::vector<std::vector<int>> curves_through_patches() const
+  {
+    std::vector<std::vector<int>> curves(m_patches.size());
+    if(Patch_division::is_large(m_patches[0]))
+      curves[0] = vertices_along_curve(m_patches[0].points);
+    for(std::size_t level = 1; level < m_patches.size() && Patch_division::is_large(m_patches[level]); ++level) {
+      std::vector<int> coarse_vertex(m_patches[level - 1].points.size(), -1);
+      for(int v = 0; v < m_patches[level].number_of_vertices(); ++v)
+        coarse_vertex[m_patches.coarse(level).fine_vertex[v]] = v;
+      for(int v : curves[level - 1])
+        if(coarse_vertex[v] >= 0)
+          curves[level].push_back(coarse_vertex[v]);
+    }
+    return curves;
   }
 
   void prepare(Workspace& workspace) const

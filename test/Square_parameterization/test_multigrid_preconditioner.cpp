@@ -27,9 +27,9 @@ struct Two_levels
       energy(patch, 0.3, 1, &division),
       coarse_energy(patches[1], 0.3),
       coarse(patches[1], coarse_division),
-      fine(patch, division, patches.coarse(1))
+      fine(Multigrid_preconditioner::of_large(patch, division))
   {
-    fine.set_coarser(coarse);
+    fine.set_coarser(patches.coarse(1), coarse);
     const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
     uv = make_minimizer(patch, Balanced_minimization())
              ->make_worker()(square_border(walk, corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv, nullptr)

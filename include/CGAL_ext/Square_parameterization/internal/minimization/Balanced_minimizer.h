@@ -45,26 +45,17 @@ public:
   /// of a small patch
   /// \param deadline when it has passed a minimization ends with the map so far
   Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline = {})
-    : Balanced_minimizer(Patch_division(patch), patch, options, deadline)
+    : Balanced_minimizer(Patch_division(patch), false, patch, options, deadline)
   {}
 
   /// the same, with the patch divided already
-  Balanced_minimizer(Patch_division division, const Patch& patch, const Balanced_minimization& options,
-                     const Deadline& deadline)
-    : m_division(std::move(division)),
-      m_energy(patch, options.balance, options.aspect, &m_division),
-      m_preconditioner(patch, m_division),
-      m_sweep(patch, m_division, options.balance),
-      m_options(options),
-      m_deadline(deadline)
-  {}
-
-  /// of a large patch, of which coarser ones are minimised before; `set_coarser()` is to follow
-  Balanced_minimizer(Patch_division division, const Patch& patch, const Coarse_patch& to_coarser,
+  /// \param has_coarser for a large patch, of which coarser ones are minimised before: `set_coarser()` is to follow
+  Balanced_minimizer(Patch_division division, bool has_coarser, const Patch& patch,
                      const Balanced_minimization& options, const Deadline& deadline)
     : m_division(std::move(division)),
       m_energy(patch, options.balance, options.aspect, &m_division),
-      m_preconditioner(patch, m_division, to_coarser),
+      m_preconditioner(has_coarser ? Multigrid_preconditioner::of_large(patch, m_division)
+                                   : Multigrid_preconditioner(patch, m_division)),
       m_sweep(patch, m_division, options.balance),
       m_options(options),
       m_deadline(deadline)
@@ -73,8 +64,11 @@ public:
   Balanced_minimizer(const Balanced_minimizer&) = delete;
   Balanced_minimizer& operator=(const Balanced_minimizer&) = delete;
 
-  /// tells a minimizer of a large patch what minimises the next coarser one
-  void set_coarser(const Balanced_minimizer& coarser) { m_preconditioner.set_coarser(coarser.m_preconditioner); }
+  /// tells a minimizer of a large patch of the next coarser one, and what minimises it
+  void set_coarser(const Coarse_patch& to_coarser, const Balanced_minimizer& coarser)
+  {
+    m_preconditioner.set_coarser(to_coarser, coarser.m_preconditioner);
+  }
 
   const Patch& patch() const { return m_energy.patch(); }
 

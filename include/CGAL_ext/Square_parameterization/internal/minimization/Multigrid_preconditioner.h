@@ -44,16 +44,21 @@ public:
   Multigrid_preconditioner(const Patch& patch, const Patch_division& division) { m_direct.emplace(patch, &division); }
 
   /// of a patch that is large; `set_coarser()` is to follow
-  Multigrid_preconditioner(const Patch& patch, const Patch_division& division, const Coarse_patch& to_coarser)
-    : m_division(&division)
+  static Multigrid_preconditioner of_large(const Patch& patch, const Patch_division& division)
   {
-    m_matrix.emplace(patch, division.ranks(), &division);
-    m_interpolation.emplace(patch, to_coarser, division.ranks());
-    m_sweep.emplace(division, m_matrix->make());
+    Multigrid_preconditioner result;
+    result.m_division = &division;
+    result.m_matrix.emplace(patch, division.ranks(), &division);
+    result.m_sweep.emplace(division, result.m_matrix->make());
+    return result;
   }
 
-  /// tells what is for the coarser patch
-  void set_coarser(const Multigrid_preconditioner& coarser) { m_coarser = &coarser; }
+  /// tells of the next coarser patch, and what is for it
+  void set_coarser(const Coarse_patch& to_coarser, const Multigrid_preconditioner& coarser)
+  {
+    m_interpolation.emplace(m_matrix->patch(), to_coarser, m_division->ranks());
+    m_coarser = &coarser;
+  }
 
   /// takes the matrices at \p uv; false when they are singular
   bool factorize(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
@@ -75,6 +80,8 @@ public:
   }
 
 private:
+  Multigrid_preconditioner() = default;
+
   bool set_matrix(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
                   Memory& memory) const
   {

@@ -19,17 +19,18 @@ namespace {
 /// a patch, the next coarser one, and the V-cycle over both at a map of the first
 struct Two_levels
 {
-  Two_levels(const Patch& fine_patch, int vertices_per_block)
-    : patch(fine_patch),
+  Two_levels(const Patch& given, int vertices_per_block)
+    : given_division(given, vertices_per_block),
+      patch(in_order_of(given_division, given)),
       patches(patch, false),
-      division(patch, vertices_per_block),
+      division(given_division.in_order()),
       coarse_division(coarsened()),
       energy(patch, 0.3, 1, &division),
       coarse_energy(patches[1], 0.3),
       coarse(patches[1], coarse_division),
       fine(Multigrid_preconditioner::of_large(patch, division))
   {
-    fine.set_coarser(patches.coarse(1), coarse);
+    fine.set_coarser(Vertex_interpolation(patch, patches.coarse(1), division.order(), coarse_division.order()), coarse);
     const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
     uv = make_minimizer(patch, Balanced_minimization())
              ->make_worker()(square_border(walk, corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv, nullptr)
@@ -61,7 +62,8 @@ struct Two_levels
     return x;
   }
 
-  const Patch& patch;
+  Patch_division given_division;
+  Patch patch;
   Patch_sequence patches;
   Patch_division division, coarse_division;
   Balanced_energy energy, coarse_energy;
@@ -97,24 +99,23 @@ TEST_CASE("V-cycles solve the equations that factors solve, with less error each
 {
   const Patch patch = make_patch_of(saddle(24));
   Two_levels levels(patch, GENERATE(1000, 50)); // one block, and many
-  const Axis_preconditioner direct(patch);
+  const Axis_preconditioner direct(levels.patch);
   Axis_preconditioner::Factors factors;
   REQUIRE(direct.factorize(levels.energy, levels.uv, levels.is_free, factors));
   const Uv_coordinates right_hand_side = levels.random_vector();
   Uv_coordinates exact = right_hand_side;
   direct.apply(factors, exact);
 
-  // the residual is taken with the matrix of the V-cycle itself, in its upper triangle, of which the rows are ranks
+  // the residual is taken with the matrix of the V-cycle itself, in its upper triangle
   const auto residual = [&](const Uv_coordinates& x) {
     Uv_coordinates result = right_hand_side;
     const Axis_matrix::Matrix& matrix = levels.memory.matrix;
     for(int j = 0; j < matrix.outerSize(); ++j)
       for(Axis_matrix::Matrix::InnerIterator it(matrix, j); it; ++it)
         for(int axis = 0; axis < 2; ++axis) {
-          const int v = levels.division.vertex(static_cast<int>(it.row())), w = levels.division.vertex(j);
-          result(v, axis) -= it.value()[axis] * x(w, axis);
-          if(v != w)
-            result(w, axis) -= it.value()[axis] * x(v, axis);
+          result(it.row(), axis) -= it.value()[axis] * x(j, axis);
+          if(it.row() != j)
+            result(j, axis) -= it.value()[axis] * x(it.row(), axis);
         }
     return result;
   };

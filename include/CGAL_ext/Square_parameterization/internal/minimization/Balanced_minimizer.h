@@ -31,7 +31,8 @@ namespace internal {
 /// A step goes at most nine tenths of the way to the first triangle without area; the line search halves. The sweep
 /// then mends the triangles that stood in the way, which would keep the next steps short, too.
 ///
-/// Works with the threads of the current team; the result does not depend on their number.
+/// Works with the threads of the current team; the result does not depend on their number. A patch that is large enough to
+/// be divided is worked on in the order of its division, where neighbors are near in memory.
 class Balanced_minimizer
 {
 public:
@@ -50,16 +51,22 @@ public:
 
   /// the same, with the patch divided already
   /// \param has_coarser for a large patch, of which coarser ones are minimised before: `set_coarser()` is to follow
-  Balanced_minimizer(Patch_division division, bool has_coarser, const Patch& patch,
+  Balanced_minimizer(const Patch_division& division, bool has_coarser, const Patch& patch,
                      const Balanced_minimization& options, const Deadline& deadline)
-    : m_division(std::move(division)),
-      m_energy(patch, options.balance, options.aspect, &m_division),
-      m_preconditioner(has_coarser ? Multigrid_preconditioner::of_large(patch, m_division)
-                                   : Multigrid_preconditioner(patch, m_division)),
-      m_sweep(patch, m_division, options.balance),
+    : m_given_patch(patch),
+      m_ordered_patch(division.is_divided() ? in_order_of(division, patch) : Patch()),
+      m_patch(division.is_divided() ? m_ordered_patch : patch),
+      m_order(division.order()),
+      m_division(division.is_divided() ? division.in_order() : division),
+      m_energy(m_patch, options.balance, options.aspect, &m_division),
+      m_preconditioner(has_coarser ? Multigrid_preconditioner::of_large(m_patch, m_division)
+                                   : Multigrid_preconditioner(m_patch, m_division)),
+      m_sweep(m_patch, m_division, options.balance),
       m_options(options),
       m_deadline(deadline)
-  {}
+  {
+    m_ordered_patch.edges = {}; // which the matrices alone need, while they are made
+  }
 
   Balanced_minimizer(const Balanced_minimizer&) = delete;
   Balanced_minimizer& operator=(const Balanced_minimizer&) = delete;
@@ -67,19 +74,25 @@ public:
   /// tells a minimizer of a large patch of the next coarser one, and what minimises it
   void set_coarser(const Coarse_patch& to_coarser, const Balanced_minimizer& coarser)
   {
-    m_preconditioner.set_coarser(to_coarser, coarser.m_preconditioner);
+    std::vector<int> rank(m_order.size());
+    for(std::size_t i = 0; i < rank.size(); ++i)
+      rank[m_order[i]] = static_cast<int>(i);
+    m_preconditioner.set_coarser(Vertex_interpolation(m_given_patch, to_coarser, rank, coarser.m_order),
+                                 coarser.m_preconditioner);
   }
 
-  const Patch& patch() const { return m_energy.patch(); }
+  /// the patch as it was given
+  const Patch& patch() const { return m_given_patch; }
 
   /// what takes the unit square to the rectangle of a map: see `scale_to_rectangle()`
-  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(uv); }
+  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(in_order(uv)); }
 
-  /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
+  /// sweeps over a map until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
   /// cost, in vertices visited.
-  long relax(Uv_coordinates& uv) const
+  long relax(Uv_coordinates& given_uv) const
   {
-    const Free_coordinates is_free = free_coordinates(patch(), uv, is_border_sliding());
+    Uv_coordinates uv = in_order(std::move(given_uv));
+    const Free_coordinates is_free = free_coordinates(m_patch, uv, is_border_sliding());
     double energy = m_energy(uv);
     int sweeps = 0;
     for(bool gains = true; gains && sweeps < Minimizer_numbers::MAXIMUM_SWEEPS; ++sweeps) {
@@ -88,7 +101,8 @@ public:
       gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
       energy = reached;
     }
-    return static_cast<long>(sweeps) * uv.rows();
+    given_uv = in_given_order(std::move(uv));
+    return static_cast<long>(sweeps) * given_uv.rows();
   }
 
   /// minimises, with the largest number of iterations of the options
@@ -104,7 +118,8 @@ public:
   Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations,
                          Workspace& workspace) const
   {
-    const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
+    map.uv = in_order(std::move(map.uv));
+    const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
     Minimization_report& report = map.report;
     Secant_memory memory(Minimizer_numbers::SECANT_PAIRS);
     report.objective = gradient_at(map.uv, is_free, workspace.gradient);
@@ -130,7 +145,7 @@ public:
         report.stop_reason = Stop_reason::CONVERGED;
         break;
       }
-      double feasible = largest_step(patch(), map.uv, workspace.direction);
+      double feasible = largest_step(m_patch, map.uv, workspace.direction);
       const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope, feasible);
       if(!search_line(report.objective, slope, feasible, map.uv, workspace)) {
         if(age == 0 && memory.is_empty()) {
@@ -148,9 +163,10 @@ public:
       if(goes_round)
         memory.clear(); // of a step that was none of the whole mesh
     }
-    map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * patch().number_of_vertices();
+    map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * m_patch.number_of_vertices();
     report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
+    map.uv = in_given_order(std::move(map.uv));
     return map;
   }
 
@@ -158,21 +174,47 @@ public:
   /// be the largest stretch of all
   void settle(Minimized_map& map) const
   {
-    const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
+    map.uv = in_order(std::move(map.uv));
+    const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
     for(int i = 0; i < Minimizer_numbers::SETTLING_SWEEPS; ++i)
       m_sweep(is_free, m_energy.scale(map.uv), map.uv);
     Uv_coordinates gradient;
     map.report.objective = map.report.history.back() = gradient_at(map.uv, is_free, gradient);
-    map.report.gradient_norm = gradient.norm();
+    map.report.gradient_norm = std::sqrt(dot(gradient, gradient));
     measure_stretch(map);
+    map.uv = in_given_order(std::move(map.uv));
   }
 
 private:
+  /// a map of the patch that was given (#V by 2) as one of the ordered one
+  Uv_coordinates in_order(Uv_coordinates uv) const
+  {
+    if(!m_division.is_divided())
+      return uv;
+    Uv_coordinates result(uv.rows(), 2);
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      result.row(i) = uv.row(m_order[i]);
+    return result;
+  }
+
+  /// and back
+  Uv_coordinates in_given_order(Uv_coordinates uv) const
+  {
+    if(!m_division.is_divided())
+      return uv;
+    Uv_coordinates result(uv.rows(), 2);
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      result.row(m_order[i]) = uv.row(i);
+    return result;
+  }
+
+  // what follows has the vertices of the ordered patch
+
   /// on the rectangle of the energy
   void measure_stretch(Minimized_map& map) const
   {
     map.aspect = m_energy.aspect(map.uv);
-    map.report.l2 = std::sqrt(stretch_energy(patch(), on_rectangle(map.uv, map.aspect)));
+    map.report.l2 = std::sqrt(stretch_energy(m_patch, on_rectangle(map.uv, map.aspect)));
   }
 
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
@@ -235,7 +277,7 @@ private:
       workspace.direction = moves.select(-workspace.gradient, 0.);
       m_preconditioner.apply(workspace.preconditioner, workspace.direction);
       slope = dot(workspace.gradient, workspace.direction);
-      feasible = largest_step(patch(), uv, workspace.direction);
+      feasible = largest_step(m_patch, uv, workspace.direction);
     }
     return true;
   }
@@ -248,7 +290,7 @@ private:
   /// lets the vertices of triangles that stand in the way stay
   void fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
   {
-    for(const auto& t : patch().triangles)
+    for(const auto& t : m_patch.triangles)
       if(is_blocked(largest_step(t, uv, direction)))
         for(int v : t)
           moves(v, 0) = moves(v, 1) = false;
@@ -283,6 +325,10 @@ private:
     return energy;
   }
 
+  const Patch& m_given_patch;
+  Patch m_ordered_patch;    // of a large patch
+  const Patch& m_patch;     // that, or the given one
+  std::vector<int> m_order; // per vertex of this, the one of the given patch
   Patch_division m_division;
   Balanced_energy m_energy;
   Multigrid_preconditioner m_preconditioner;

@@ -7,9 +7,10 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_preconditioner.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Matrix_sweep.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_interpolation.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
 
-#include <cstddef>
 #include <optional>
+#include <utility>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -21,8 +22,8 @@ namespace internal {
 /// memory. The coarser patches have matrices of their own, at their own maps.
 ///
 /// One sweep of Gauss and Seidel before the coarse correction and one after it, in the other direction, keep the
-/// approximate inverse symmetric and positive definite. They visit the vertices in the order of the division: its blocks
-/// at a time, on the threads of the current team.
+/// approximate inverse symmetric and positive definite. They visit the blocks of the division at a time, on the threads of
+/// the current team, and then the separators.
 class Multigrid_preconditioner
 {
 public:
@@ -35,8 +36,7 @@ public:
     Axis_preconditioner::Factors factors; // of a small patch
     Axis_matrix::Matrix matrix;           // of a large one
     Free_coordinates is_free;
-    Uv_coordinates right_hand_side, residual, solution, correction; // of a large one: by ranks
-    Uv_coordinates coarse;
+    Uv_coordinates residual, solution, correction, coarse;
   };
 
   /// of a patch that is small
@@ -44,19 +44,19 @@ public:
   Multigrid_preconditioner(const Patch& patch, const Patch_division& division) { m_direct.emplace(patch, &division); }
 
   /// of a patch that is large; `set_coarser()` is to follow
+  /// \pre the patch is in the order of the division
   static Multigrid_preconditioner of_large(const Patch& patch, const Patch_division& division)
   {
     Multigrid_preconditioner result;
-    result.m_division = &division;
     result.m_matrix.emplace(patch, division.ranks(), &division);
     result.m_sweep.emplace(division, result.m_matrix->make());
     return result;
   }
 
-  /// tells of the next coarser patch, and what is for it
-  void set_coarser(const Coarse_patch& to_coarser, const Multigrid_preconditioner& coarser)
+  /// tells how the rows of the next coarser patch move those of this one, and what is for it
+  void set_coarser(Vertex_interpolation interpolation, const Multigrid_preconditioner& coarser)
   {
-    m_interpolation.emplace(m_matrix->patch(), to_coarser, m_division->ranks());
+    m_interpolation.emplace(std::move(interpolation));
     m_coarser = &coarser;
   }
 
@@ -93,23 +93,12 @@ private:
 
   void cycle(Memory& memory, Uv_coordinates& x) const
   {
-    Uv_coordinates &b = memory.right_hand_side, &solution = memory.solution;
-    b.resize(x.rows(), 2);
-    for_ranges(x.rows(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i)
-        b.row(i) = x.row(m_division->vertex(static_cast<int>(i)));
-    });
-    m_sweep->from_zero(memory.matrix, b, solution, memory.residual);
+    m_sweep->from_zero(memory.matrix, x, memory.solution, memory.residual);
     if(memory.coarser != nullptr && memory.coarser->is_set)
       correct_on_coarser(memory);
-    m_sweep->subtract_product(memory.matrix, solution, b);
-    m_sweep->back(memory.matrix, b);
-    for_ranges(x.rows(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v) {
-        const int i = m_division->rank(static_cast<int>(v));
-        x.row(v) = b.row(i) + solution.row(i);
-      }
-    });
+    m_sweep->subtract_product(memory.matrix, memory.solution, x);
+    m_sweep->back(memory.matrix, x);
+    set_rows(x, x.rows(), [&](const auto& rows) { return rows(x) + rows(memory.solution); });
   }
 
   /// adds to the solution what the coarser patch makes of the residual
@@ -121,19 +110,13 @@ private:
     m_coarser->apply(coarser, memory.coarse);
     memory.correction.resize(memory.solution.rows(), 2);
     m_interpolation->prolong(memory.coarse, memory.correction);
-    for_ranges(memory.solution.rows(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i) {
-        const int v = m_division->vertex(static_cast<int>(i));
-        for(int axis = 0; axis < 2; ++axis)
-          if(memory.is_free(v, axis))
-            memory.solution(i, axis) += memory.correction(i, axis);
-      }
+    set_rows(memory.solution, memory.solution.rows(), [&](const auto& rows) {
+      return rows(memory.solution) + rows(memory.is_free).select(rows(memory.correction), 0.);
     });
   }
 
   const Multigrid_preconditioner* m_coarser = nullptr;
   std::optional<Axis_preconditioner> m_direct;         // of a small patch
-  const Patch_division* m_division = nullptr;          // of a large one
   std::optional<Axis_matrix> m_matrix;                 // of a large one
   std::optional<Vertex_interpolation> m_interpolation; // of a large one
   std::optional<Matrix_sweep> m_sweep;                 // of a large one

@@ -23,11 +23,13 @@ class Vertex_interpolation
 {
 public:
   /// \param rank #V of the fine patch: the row of each vertex in `prolong()` and `restrict_to_coarse()`
-  Vertex_interpolation(const Patch& fine, const Coarse_patch& coarse, const std::vector<int>& rank)
+  /// \param coarse_order #V of the coarse patch: the vertex of each row there
+  Vertex_interpolation(const Patch& fine, const Coarse_patch& coarse, const std::vector<int>& rank,
+                       const std::vector<int>& coarse_order)
     : m_first_of_wave(coarse.waves.first), m_first(1, 0)
   {
-    for(int v : coarse.fine_vertex)
-      m_kept.push_back(rank[v]);
+    for(int v : coarse_order)
+      m_kept.push_back(rank[coarse.fine_vertex[v]]);
     for(int i : coarse.waves.removals) {
       m_removed.push_back(rank[coarse.removals[i].vertex]);
       add_weights(fine, coarse.removals[i], rank);
@@ -98,7 +100,7 @@ private:
       }
   }
 
-  // all vertices by their ranks
+  // all vertices by their rows
   std::vector<int> m_kept;                  // per vertex of the coarse patch, the one of the fine patch
   std::vector<int> m_removed;               // vertices of the fine patch, wave by wave
   std::vector<std::size_t> m_first_of_wave; // in this list

@@ -73,11 +73,6 @@ struct Two_levels
   Free_coordinates is_free;
 };
 
-double dot(const Uv_coordinates& a, const Uv_coordinates& b)
-{
-  return a.cwiseProduct(b).sum();
-}
-
 } // namespace
 
 TEST_CASE("the V-cycle is symmetric, positive, and leaves what may not move")

@@ -215,7 +215,7 @@ TEST_CASE("a quick score that is not done after its steps gives way to a map fro
   insert_path(surface, shortest_paths(surface, {0}), 1, cut); // across the middle
   const Patch patch = patch_of_cut(surface, cut);
   Cut_score_options options;
-  options.numbers.score_steps = 5;
+  options.numbers.score_steps = 3;
   Minimized_map start = quick_start(patch, spread_borders(patch, options.numbers.corner_candidates), options);
   REQUIRE(start.uv.rows() > 0);
   const double searched = searched_stretch(surface, cut, options.balance);

@@ -77,7 +77,7 @@ TEST_CASE("a sweep lowers the energy, moves only what is free, and flips nothing
       const Uv_coordinates start = some_map(patch);
       const Free_coordinates is_free = free_coordinates(patch, start, is_sliding);
       Uv_coordinates uv = start;
-      Vertex_sweep(patch, 0.3)(is_free, {1, 1}, uv);
+      Vertex_sweep(patch, Patch_division(patch), 0.3)(is_free, {1, 1}, uv);
       CHECK(energy_by_definition(patch, uv, 0.3) < energy_by_definition(patch, start, 0.3));
       CHECK(number_of_flipped_faces(patch.triangles, uv) == 0);
       for(Eigen::Index k = 0; k < uv.size(); ++k)
@@ -92,7 +92,7 @@ TEST_CASE("a sweep on a rectangle lowers the energy there")
     const Balanced_energy energy(patch, 0.3, 5);
     Uv_coordinates uv = some_map(patch);
     const double before = energy(uv);
-    Vertex_sweep(patch, 0.3)(free_coordinates(patch, uv, true), energy.scale(uv), uv);
+    Vertex_sweep(patch, Patch_division(patch), 0.3)(free_coordinates(patch, uv, true), energy.scale(uv), uv);
     CHECK(energy(uv) < before);
     CHECK(number_of_flipped_faces(patch.triangles, uv) == 0);
   }

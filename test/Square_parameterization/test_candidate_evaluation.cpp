@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <thread>
 
 using namespace CGAL_ext;
@@ -146,14 +148,33 @@ TEST_CASE("the memory of the threads can be freed, and the best map stays")
   CHECK(evaluation.best_map().uv(0, 0) == 5);
 }
 
-TEST_CASE("large surfaces are mapped by fewer threads, unless these are asked for")
+TEST_CASE("of large surfaces few maps are under way at a time")
 {
-  const unsigned int all = internal::default_number_of_threads();
-  CHECK(internal::number_of_search_threads(0, 1) == all);
-  CHECK(internal::number_of_search_threads(0, 10000) == (std::min)(all, 100u));
-  CHECK(internal::number_of_search_threads(0, 400000) == (std::min)(all, 2u));
-  CHECK(internal::number_of_search_threads(0, 600000) == 1);
-  CHECK(internal::number_of_search_threads(7, 50000000) == 7);
+  CHECK(internal::most_maps_at_once(1) == 1000000);
+  CHECK(internal::most_maps_at_once(10000) == 100);
+  CHECK(internal::most_maps_at_once(400000) == 2);
+  CHECK(internal::most_maps_at_once(600000) == 1);
+  CHECK(internal::most_maps_at_once(50000000) == 1);
+  for(std::size_t most : {1u, 2u, 3u}) {
+    std::atomic<std::size_t> under_way{0}, largest{0};
+    const auto make_worker = [&]() -> Candidate_evaluation::Worker {
+      return [&](int candidate, const internal::Uv_coordinates*) {
+        const std::size_t now = ++under_way;
+        for(std::size_t before = largest; before < now && !largest.compare_exchange_weak(before, now);) {
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        --under_way;
+        internal::Minimized_map map;
+        map.report.objective = candidate;
+        return map;
+      };
+    };
+    std::vector<int> candidates(30);
+    std::iota(candidates.begin(), candidates.end(), 0);
+    Candidate_evaluation evaluation(30, make_worker, 8, nullptr, {}, most);
+    CHECK(evaluation(candidates).back() == 29);
+    CHECK(largest <= most);
+  }
 }
 
 TEST_CASE("candidates without a map are evaluated but never the best")

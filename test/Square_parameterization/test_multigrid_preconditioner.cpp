@@ -19,14 +19,18 @@ namespace {
 /// a patch, the next coarser one, and the V-cycle over both at a map of the first
 struct Two_levels
 {
-  explicit Two_levels(const Patch& fine_patch)
-    : patch(fine_patch),
+  Two_levels(const Patch& given, int vertices_per_block)
+    : given_division(given, vertices_per_block),
+      patch(in_order_of(given_division, given)),
       patches(patch, false),
-      energy(patch, 0.3),
-      coarse_energy(coarsened(), 0.3),
-      coarse(patches[1]),
-      fine(patch, patches.coarse(1), coarse)
+      division(given_division.in_order()),
+      coarse_division(coarsened()),
+      energy(patch, 0.3, 1, &division),
+      coarse_energy(patches[1], 0.3),
+      coarse(patches[1], coarse_division),
+      fine(Multigrid_preconditioner::of_large(patch, division))
   {
+    fine.set_coarser(Vertex_interpolation(patch, patches.coarse(1), division.order(), coarse_division.order()), coarse);
     const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
     uv = make_minimizer(patch, Balanced_minimization())
              ->make_worker()(square_border(walk, corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv, nullptr)
@@ -58,8 +62,10 @@ struct Two_levels
     return x;
   }
 
-  const Patch& patch;
+  Patch_division given_division;
+  Patch patch;
   Patch_sequence patches;
+  Patch_division division, coarse_division;
   Balanced_energy energy, coarse_energy;
   Multigrid_preconditioner coarse, fine;
   Multigrid_preconditioner::Memory coarse_memory, memory;
@@ -67,17 +73,14 @@ struct Two_levels
   Free_coordinates is_free;
 };
 
-double dot(const Uv_coordinates& a, const Uv_coordinates& b)
-{
-  return a.cwiseProduct(b).sum();
-}
-
 } // namespace
 
 TEST_CASE("the V-cycle is symmetric, positive, and leaves what may not move")
 {
   const Patch patch = make_patch_of(noisy_height_field(20));
-  Two_levels levels(patch);
+  const int vertices_per_block = GENERATE(1000, 100, 20); // one block, and many
+  Two_levels levels(patch, vertices_per_block);
+  CHECK(levels.division.is_divided() == (vertices_per_block < 1000));
   for(int i = 0; i < 5; ++i) {
     const Uv_coordinates a = levels.random_vector(), b = levels.random_vector();
     const Uv_coordinates at_a = levels.cycle(a), at_b = levels.cycle(b);
@@ -90,8 +93,8 @@ TEST_CASE("the V-cycle is symmetric, positive, and leaves what may not move")
 TEST_CASE("V-cycles solve the equations that factors solve, with less error each time")
 {
   const Patch patch = make_patch_of(saddle(24));
-  Two_levels levels(patch);
-  const Axis_preconditioner direct(patch);
+  Two_levels levels(patch, GENERATE(1000, 50)); // one block, and many
+  const Axis_preconditioner direct(levels.patch);
   Axis_preconditioner::Factors factors;
   REQUIRE(direct.factorize(levels.energy, levels.uv, levels.is_free, factors));
   const Uv_coordinates right_hand_side = levels.random_vector();

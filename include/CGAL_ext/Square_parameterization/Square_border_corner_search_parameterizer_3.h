@@ -113,6 +113,9 @@ public:
 
   /// when the search, and the minimization of its maps, is to end
   const internal::Deadline& deadline() const { return m_options.deadline; }
+
+  /// that map; 0 for all cores
+  unsigned int number_of_threads() const { return m_options.number_of_threads; }
   /// \endcond
 
 private:

@@ -24,9 +24,11 @@ struct Square_search_options
 {
   Corner_rule corner_rule = Corner_rule::NEAREST; ///< where the sides of the square end
   Walk walk = Walk::COUNTER_CLOCKWISE;            ///< direction in which candidates are counted and sides are closed
-  unsigned int number_of_threads = 0; ///< 0 for all cores, or as many as have room in about 2 GB when the surface is
-                                      ///< large (1 to 3 kB a vertex); the result is the same for any number
-  Search_visitor* visitor = nullptr;  ///< is told of the cut, of the search and of the minimization; may be null
+
+  /// 0 for all cores. They map candidates side by side, of large surfaces as many as have room in about 2 GB (1 to 3 kB a
+  /// vertex), and one candidate together where there are fewer. The result is the same for any number.
+  unsigned int number_of_threads = 0;
+  Search_visitor* visitor = nullptr; ///< is told of the cut, of the search and of the minimization; may be null
 
   /// whether after the search the four corners move on their own, all together, in pairs and alone, as long as that
   /// lowers the energy of a coarse map. A rectangle that is not the square is also sought from other shares of the sides

@@ -13,6 +13,8 @@
 #include "write_page.h"
 #include "write_svg.h"
 
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -24,6 +26,8 @@ inline void write_output(std::ostream& stream, Job& job)
 {
   const Command_line& line = job.line;
   const std::string extension = output_extension(line.output);
+  CGAL_ext::internal::Thread_team team(line.options.search_options.number_of_threads);
+  const CGAL_ext::internal::Thread_team::Scope scope(team);
   if(extension == "glb")
     write_glb(stream, job.flat->points, job.flat->normals, job.flat->uv, job.flat->triangles, job.texture);
   else

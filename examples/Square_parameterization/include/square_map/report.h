@@ -8,7 +8,7 @@
 #include "name_of_start.h"
 #include "surface_distances.h"
 
-#include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 
 #include <nlohmann/json.hpp>
 
@@ -201,8 +201,7 @@ inline nlohmann::ordered_json make_report(const Job& job)
   if(job.image)
     json["image"] = image_report(*job.image, *job.flat, job.result.seam_message,
                                  static_cast<unsigned int>(job.line.options.search_options.number_of_threads));
-  json["threads"] = CGAL_ext::internal::number_of_search_threads(job.line.options.search_options.number_of_threads,
-                                                                 static_cast<int>(job.mesh.number_of_vertices()));
+  json["threads"] = CGAL_ext::internal::number_of_threads(job.line.options.search_options.number_of_threads);
   json["seconds"] = timing_report(job.seconds);
   return json;
 }

@@ -7,18 +7,63 @@
 #include "read_surface.h"
 #include "write_stl.h"
 
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
+
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
 #include <filesystem>
+#include <initializer_list>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace square_map {
 
 typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> UV_map;
+
+/// writes the lines of elements of a mesh in their order. Many are made at a time, by the threads of the current team: of
+/// a whole job of two threads this was a tenth.
+/// \param append appends the line of an element to a text
+template <class Elements, class Append>
+void write_lines(std::ostream& stream, const Elements& elements, const Append& append)
+{
+  constexpr std::size_t LINES = 4096; // of a text
+  constexpr std::size_t TEXTS = 16;   // that are in memory
+  const std::vector<std::decay_t<decltype(*elements.begin())>> all(elements.begin(), elements.end());
+  for(std::size_t first = 0; first < all.size(); first += TEXTS * LINES) {
+    const std::size_t count = (std::min)(TEXTS * LINES, all.size() - first);
+    std::vector<std::string> texts((count + LINES - 1) / LINES);
+    CGAL_ext::internal::for_ranges(
+        count,
+        [&](std::size_t begin, std::size_t end) {
+          for(std::size_t i = begin; i < end; ++i)
+            append(all[first + i], texts[begin / LINES]);
+        },
+        LINES);
+    for(const std::string& text : texts)
+      stream << text;
+  }
+}
+
+/// appends a line of numbers with 17 digits, from which the same numbers are read
+inline void append_line(const char* word, std::initializer_list<double> numbers, std::string& text)
+{
+  text += word;
+  for(double number : numbers) {
+    std::array<char, 32> digits;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::general, 17);
+    text += ' ';
+    text.append(digits.data(), end.ptr);
+  }
+  text += '\n';
+}
 
 /// Wavefront OBJ: one texture vertex per vertex of the cut mesh, faces `v/vt`. The vertices are those of the uncut
 /// surface, in their order, followed by the midpoints of split chords: a seam parts texture vertices alone. Vertices
@@ -37,17 +82,21 @@ inline void write_obj(std::ostream& stream, const Mesh& mesh, UV_map uv, const s
   const auto vertex_number = [&](Mesh::Vertex_index v) {
     return (v.idx() < originals.size() ? originals[v.idx()] : uncut + (v.idx() - originals.size())) + 1;
   };
-  for(Mesh::Vertex_index v : mesh.vertices())
-    if(v.idx() < uncut || v.idx() >= originals.size())
-      stream << "v " << mesh.point(v) << '\n';
-  for(Mesh::Vertex_index v : mesh.vertices())
-    stream << "vt " << uv[v] << '\n';
-  for(Mesh::Face_index f : mesh.faces()) {
-    stream << 'f';
+  write_lines(stream, mesh.vertices(), [&](Mesh::Vertex_index v, std::string& text) {
+    if(v.idx() < uncut || v.idx() >= originals.size()) {
+      const Kernel::Point_3& p = mesh.point(v);
+      append_line("v", {p.x(), p.y(), p.z()}, text);
+    }
+  });
+  write_lines(stream, mesh.vertices(), [&](Mesh::Vertex_index v, std::string& text) {
+    append_line("vt", {uv[v].x(), uv[v].y()}, text);
+  });
+  write_lines(stream, mesh.faces(), [&](Mesh::Face_index f, std::string& text) {
+    text += 'f';
     for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      stream << ' ' << vertex_number(v) << '/' << v.idx() + 1;
-    stream << '\n';
-  }
+      text += ' ' + std::to_string(vertex_number(v)) + '/' + std::to_string(v.idx() + 1);
+    text += '\n';
+  });
 }
 
 /// writes the mesh with its map, in the format of \p extension: obj, off (STOFF: texture coordinates after each point),

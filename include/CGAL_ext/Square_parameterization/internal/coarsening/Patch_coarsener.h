@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/is_good_replacement.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -59,8 +60,7 @@ public:
   Coarse_patch operator()(int target)
   {
     Coarse_patch coarse;
-    for(int v = 0; v < m_fine.number_of_vertices(); ++v)
-      push_cheapest(v);
+    enter_all();
     int count = m_fine.number_of_vertices();
     std::vector<int> ring;
     while(count > target && !m_queue.empty()) {
@@ -85,6 +85,7 @@ public:
       coarse.removals.push_back({collapse.from, collapse.to, ring, std::move(target_ring)});
     }
     gather(coarse);
+    coarse.waves = waves_of(coarse.removals, m_fine.number_of_vertices());
     return coarse;
   }
 
@@ -133,11 +134,33 @@ private:
     }
   }
 
+  /// enters the cheapest collapses of all vertices, with the threads of the current team: which comes first does not
+  /// depend on the order in which they are entered
+  void enter_all()
+  {
+    std::vector<Collapse> collapses(m_fine.points.size());
+    for_ranges(collapses.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+        collapses[v] = next_of({-1, static_cast<int>(v), -1, 0});
+    });
+    collapses.erase(std::remove_if(collapses.begin(), collapses.end(), [](const Collapse& c) { return c.to < 0; }),
+                    collapses.end());
+    m_queue = decltype(m_queue)(std::greater<Collapse>(), std::move(collapses));
+  }
+
   /// enters the cheapest collapse of a vertex; those that cost more wait until it turns out to be impossible
   void push_cheapest(int from) { push_next({-1, from, -1, 0}); }
 
   /// enters the collapse of a vertex that comes after another one of it
   void push_next(const Collapse& previous)
+  {
+    const Collapse next = next_of(previous);
+    if(next.to >= 0)
+      m_queue.push(next);
+  }
+
+  /// the collapse of a vertex that comes after another one of it; into -1 when there is none
+  Collapse next_of(const Collapse& previous) const
   {
     const int from = previous.from;
     const double triangles = (is_border(from) ? 2. : 1.) * double(m_star[from].size()); // the border has half stars
@@ -147,8 +170,7 @@ private:
       if(collapse > previous && (next.to < 0 || next > collapse))
         next = collapse;
     });
-    if(next.to >= 0)
-      m_queue.push(next);
+    return next;
   }
 
   /// the neighbors of a vertex, counter-clockwise; from the next to the previous border vertex on the border

@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/coarsening/coarse_border.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -43,10 +44,14 @@ public:
   const Coarse_patch& coarse(std::size_t level) const { return *m_coarse[level - 1]; }
 
   /// adds patches as long as they get coarser
-  void coarsen(Shapes_kept shapes_kept)
+  /// \param tell called with each of them when it has been added; it stays where it is
+  void coarsen(Shapes_kept shapes_kept, const std::function<void(const Coarse_patch&)>& tell = {})
   {
-    while(std::unique_ptr<const Coarse_patch> next = coarsened((*this)[size() - 1], shapes_kept))
+    while(std::unique_ptr<const Coarse_patch> next = coarsened((*this)[size() - 1], shapes_kept)) {
       m_coarse.push_back(std::move(next));
+      if(tell)
+        tell(*m_coarse.back());
+    }
   }
 
   /// indicates whether all patches have the whole border

@@ -6,11 +6,13 @@
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Vertex_star.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/point_in_kernel.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -92,9 +94,30 @@ private:
   Uv_coordinates& m_uv;
 };
 
+/// puts the vertex of one removal back; false when it is lost in rounding. The removal is not that of a corner.
+inline bool insert_vertex(const Coarse_patch::Removal& removal, Vertex_insertion& insertion)
+{
+  const std::vector<int>& ring = removal.ring;
+  if(!removal.is_on_border())
+    return insertion.insert_inside(removal.vertex, ring);
+  return insertion.insert_on_side(removal.vertex, ring, removal.target,
+                                  ring[0] == removal.target ? ring.back() : ring[0]);
+}
+
+/// the same for the removal of a corner: it gets its place back, and the vertex that stood there moves on
+inline bool insert_corner(const Coarse_patch::Removal& removal, Vertex_insertion& insertion, Uv_coordinates& uv)
+{
+  const std::vector<int>& ring = removal.target_ring;
+  uv.row(removal.vertex) = uv.row(removal.target);
+  return insertion.insert_on_side(removal.target, ring, removal.vertex,
+                                  ring[0] == removal.vertex ? ring.back() : ring[0]);
+}
+
 /// puts the vertices that a coarse patch left out back into its map, in the reverse order. That is always possible: the
 /// vertex that took the place of another saw the whole ring. A corner of the square that was left out gets its place
 /// back, and the vertex that stood there moves on.
+///
+/// Where no vertex moves on, those of a wave are put back at a time, by the threads of the current team.
 ///
 /// \param coarse_uv a map of \p coarse without flips
 /// \param to_rectangle what takes the unit square to the rectangle of the energy
@@ -105,25 +128,33 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
                                                      const std::vector<std::size_t>& removed_corners, double balance,
                                                      const Eigen::RowVector2d& to_rectangle = {1, 1})
 {
+  constexpr std::size_t VERTICES_AT_A_TIME = 512;
   Uv_coordinates uv(fine.number_of_vertices(), 2);
   for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
     uv.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
-  Vertex_insertion insertion(fine, balance, to_rectangle, uv);
-  for(std::size_t i = coarse.removals.size(); i-- > 0;) {
-    const auto& [vertex, target, ring, target_ring] = coarse.removals[i];
-    const auto other_end = [](const std::vector<int>& fan, int end) { return fan[0] == end ? fan.back() : fan[0]; };
-    bool is_inserted = true;
-    if(!coarse.removals[i].is_on_border()) {
-      is_inserted = insertion.insert_inside(vertex, ring);
-    } else if(!std::binary_search(removed_corners.begin(), removed_corners.end(), i)) {
-      is_inserted = insertion.insert_on_side(vertex, ring, target, other_end(ring, target));
-    } else {
-      uv.row(vertex) = uv.row(target);
-      is_inserted = insertion.insert_on_side(target, target_ring, vertex, other_end(target_ring, vertex));
+  std::atomic<bool> is_lost{false};
+  if(removed_corners.empty()) {
+    for(std::size_t wave = 0; wave < coarse.waves.size() && !is_lost; ++wave) {
+      const std::size_t first = coarse.waves.first[wave];
+      for_ranges(
+          coarse.waves.first[wave + 1] - first,
+          [&](std::size_t begin, std::size_t end) {
+            Vertex_insertion insertion(fine, balance, to_rectangle, uv);
+            for(std::size_t i = begin; i < end && !is_lost; ++i)
+              if(!insert_vertex(coarse.removals[coarse.waves.removals[first + i]], insertion))
+                is_lost = true;
+          },
+          VERTICES_AT_A_TIME);
     }
-    if(!is_inserted)
-      return {};
+  } else {
+    Vertex_insertion insertion(fine, balance, to_rectangle, uv);
+    for(std::size_t i = coarse.removals.size(); i-- > 0 && !is_lost;)
+      is_lost = !(std::binary_search(removed_corners.begin(), removed_corners.end(), i)
+                      ? insert_corner(coarse.removals[i], insertion, uv)
+                      : insert_vertex(coarse.removals[i], insertion));
   }
+  if(is_lost)
+    return {};
   return uv;
 }
 

@@ -54,6 +54,12 @@ struct Minimizer_numbers
   /// height over longest side (an equilateral triangle has 0.87) above which any triangle is good
   static constexpr double GOOD_SHAPE = 0.15;
 
+  // --- what threads share: Patch_division ---
+
+  /// vertices of a block, of which each thread takes one at a time. Less: more vertices between the blocks, which are
+  /// visited last. More: blocks that are not enough for all threads on coarse patches.
+  static constexpr int VERTICES_PER_BLOCK = 2048;
+
   // --- putting vertices back: Vertex_insertion ---
 
   /// steps that a vertex takes to its place: Newton's method settles one vertex in a few. More: slower, to the same map.

@@ -4,13 +4,16 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -35,12 +38,20 @@ namespace internal {
 /// On a rectangle of area 1 and width w, the squared gradients of u count w^2 times, and those of v 1 / w^2: the energy is
 /// w^2 P + Q / w^2, where P and Q are those of u and of v. It is least at w^4 = Q / P, and then 2 sqrt(P Q): the aspect
 /// w^2 is no unknown, and by the envelope theorem the gradient is that at this w.
+///
+/// Sums are made by the threads of the current team, in an order that does not depend on their number.
 class Balanced_energy
 {
 public:
   /// \param aspect width over height of the rectangle; none for the best one of each map
-  Balanced_energy(const Patch& patch, double balance, std::optional<double> aspect = 1)
-    : m_patch(patch), m_balance(balance), m_aspect(aspect.value_or(1)), m_is_aspect_given(aspect.has_value())
+  /// \param division of the patch, which must live as long; null for none: then one thread computes the gradient
+  Balanced_energy(const Patch& patch, double balance, std::optional<double> aspect = 1,
+                  const Patch_division* division = nullptr)
+    : m_patch(patch),
+      m_balance(balance),
+      m_aspect(aspect.value_or(1)),
+      m_is_aspect_given(aspect.has_value()),
+      m_division(division)
   {}
 
   const Patch& patch() const { return m_patch; }
@@ -52,16 +63,20 @@ public:
   {
     if(m_is_aspect_given)
       return m_aspect;
-    double along_u = 0, along_v = 0; // P and Q
-    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
-      const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, {1, 1});
-      if(!(terms.determinant > 0))
-        return 1;
-      const double weight = factor(f, terms.determinant), y2 = m_patch.shapes[f].y2;
-      along_u += weight * (terms.across.x() * terms.across.x() + y2 * y2 * terms.da.x() * terms.da.x());
-      along_v += weight * (terms.across.y() * terms.across.y() + y2 * y2 * terms.da.y() * terms.da.y());
-    }
-    const double result = std::sqrt(along_v / along_u);
+    // P and Q; not a number when a triangle is not counter-clockwise
+    const Eigen::Array2d along = sum_over_triangles(Eigen::Array2d(0, 0), [&](std::size_t begin, std::size_t end) {
+      double along_u = 0, along_v = 0;
+      for(std::size_t f = begin; f < end; ++f) {
+        const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, {1, 1});
+        if(!(terms.determinant > 0))
+          return Eigen::Array2d(Eigen::Array2d::Constant(std::numeric_limits<double>::quiet_NaN()));
+        const double weight = factor(f, terms.determinant), y2 = m_patch.shapes[f].y2;
+        along_u += weight * (terms.across.x() * terms.across.x() + y2 * y2 * terms.da.x() * terms.da.x());
+        along_v += weight * (terms.across.y() * terms.across.y() + y2 * y2 * terms.da.y() * terms.da.y());
+      }
+      return Eigen::Array2d(along_u, along_v);
+    });
+    const double result = std::sqrt(along[1] / along[0]);
     return std::isfinite(result) && result > 0 ? result : 1;
   }
 
@@ -72,14 +87,16 @@ public:
   double operator()(const Uv_coordinates& uv) const
   {
     const Eigen::RowVector2d to_rectangle = scale(uv);
-    double energy = 0;
-    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
-      const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, to_rectangle);
-      if(!(terms.determinant > 0))
-        return std::numeric_limits<double>::infinity();
-      energy += terms.norm * factor(f, terms.determinant);
-    }
-    return energy;
+    return sum_over_triangles(0., [&](std::size_t begin, std::size_t end) {
+      double energy = 0;
+      for(std::size_t f = begin; f < end; ++f) {
+        const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, to_rectangle);
+        if(!(terms.determinant > 0))
+          return std::numeric_limits<double>::infinity();
+        energy += terms.norm * factor(f, terms.determinant);
+      }
+      return energy;
+    });
   }
 
   /// the energy of a map without flips, and its gradient (#V by 2)
@@ -88,22 +105,19 @@ public:
     gradient.setZero(uv.rows(), 2);
     const Eigen::RowVector2d to_rectangle = scale(uv);
     double energy = 0;
-    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
+    const auto add = [&](int f, const Slope& slope, double& sum) {
       const auto& t = m_patch.triangles[f];
-      const Flat_triangle& shape = m_patch.shapes[f];
-      const Terms terms(shape, t, uv, to_rectangle);
-      const double D = terms.determinant, weight = factor(f, D);
-      energy += terms.norm * weight;
-      // with respect to da and db: weight times the derivative of N, plus N times the derivative of the weight
-      const double by_determinant = -2 * terms.norm * shape.area() / (D * D * D);
-      const Eigen::RowVector2d along = 2 * weight * shape.x1 * terms.across;
-      const Eigen::RowVector2d by_da = 2 * weight * (shape.y2 * shape.y2 * terms.da - shape.x2 * terms.across) +
-                                       by_determinant * Eigen::RowVector2d(terms.db.y(), -terms.db.x());
-      const Eigen::RowVector2d by_db = along + by_determinant * Eigen::RowVector2d(-terms.da.y(), terms.da.x());
-      gradient.row(t[0]) -= by_da + by_db;
-      gradient.row(t[1]) += by_da;
-      gradient.row(t[2]) += by_db;
-    }
+      sum += slope.energy;
+      gradient.row(t[0]) -= slope.by_da + slope.by_db;
+      gradient.row(t[1]) += slope.by_da;
+      gradient.row(t[2]) += slope.by_db;
+    };
+    if(m_division == nullptr || !m_division->is_divided())
+      for(int f = 0; f < m_patch.number_of_faces(); ++f)
+        add(f, slope_of(f, uv, to_rectangle), energy);
+    else
+      for_divided_triangles<Slope>(
+          *m_division, energy, [&](int f) { return slope_of(f, uv, to_rectangle); }, add);
     gradient *= to_rectangle.asDiagonal();
     return energy;
   }
@@ -156,6 +170,33 @@ private:
     Eigen::RowVector2d da, db, across;
     double norm, determinant; // N and D
   };
+
+  /// the energy of a triangle and its derivatives by da and db
+  struct Slope
+  {
+    double energy;
+    Eigen::RowVector2d by_da, by_db;
+  };
+
+  Slope slope_of(int f, const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
+  {
+    const Flat_triangle& shape = m_patch.shapes[f];
+    const Terms terms(shape, m_patch.triangles[f], uv, to_rectangle);
+    const double D = terms.determinant, weight = factor(f, D);
+    // weight times the derivative of N, plus N times the derivative of the weight
+    const double by_determinant = -2 * terms.norm * shape.area() / (D * D * D);
+    const Eigen::RowVector2d along = 2 * weight * shape.x1 * terms.across;
+    return {terms.norm * weight,
+            2 * weight * (shape.y2 * shape.y2 * terms.da - shape.x2 * terms.across) +
+                by_determinant * Eigen::RowVector2d(terms.db.y(), -terms.db.x()),
+            along + by_determinant * Eigen::RowVector2d(-terms.da.y(), terms.da.x())};
+  }
+
+  template <class Sum, class Summand>
+  Sum sum_over_triangles(Sum zero, const Summand& summand) const
+  {
+    return sum_of_ranges(m_patch.triangles.size(), zero, summand);
+  }
 
   /// the eigenmodes of f at K, with K = U diag(s1, s2) V^T, and the clamped eigenvalues.
   ///
@@ -211,7 +252,7 @@ private:
     Eigen::Matrix2d scaling;
   };
 
-  double factor(int f, double determinant) const
+  double factor(std::size_t f, double determinant) const
   {
     const double area = m_patch.shapes[f].area();
     return area / (determinant * determinant) + m_balance / (4 * area);
@@ -233,6 +274,7 @@ private:
   double m_balance;
   double m_aspect;
   bool m_is_aspect_given;
+  const Patch_division* m_division;
 };
 
 } // namespace internal

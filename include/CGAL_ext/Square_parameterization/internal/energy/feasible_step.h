@@ -4,7 +4,14 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_FEASIBLE_STEP_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_FEASIBLE_STEP_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -57,10 +64,20 @@ inline double largest_step(const std::array<int, 3>& t, const Uv_coordinates& uv
 /// the same for all triangles of a patch
 inline double largest_step(const Patch& patch, const Uv_coordinates& uv, const Uv_coordinates& direction)
 {
-  double largest = std::numeric_limits<double>::infinity();
-  for(const auto& t : patch.triangles)
-    largest = (std::min)(largest, largest_step(t, uv, direction));
-  return largest;
+  struct Least
+  {
+    double value;
+    void operator+=(const Least& other) { value = (std::min)(value, other.value); }
+  };
+  const Least unbounded{std::numeric_limits<double>::infinity()};
+  return sum_of_ranges(patch.triangles.size(), unbounded,
+                       [&](std::size_t begin, std::size_t end) {
+                         Least least = unbounded;
+                         for(std::size_t f = begin; f < end; ++f)
+                           least += {largest_step(patch.triangles[f], uv, direction)};
+                         return least;
+                       })
+      .value;
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_STRETCH_KERNEL_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_STRETCH_KERNEL_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 #include <cmath>
@@ -89,10 +90,12 @@ inline Triangle_stretch triangle_stretch(const Flat_triangle& shape, const Uv_co
 /// For a map onto the unit square it is the square of the L2 stretch, since the patch has area 1.
 inline double stretch_energy(const Patch& patch, const Uv_coordinates& uv)
 {
-  double energy = 0;
-  for(int f = 0; f < patch.number_of_faces(); ++f)
-    energy += l2_squared(patch.shapes[f], uv, patch.triangles[f]) * patch.shapes[f].area();
-  return energy;
+  return sum_of_ranges(patch.triangles.size(), 0., [&](std::size_t begin, std::size_t end) {
+    double energy = 0;
+    for(std::size_t f = begin; f < end; ++f)
+      energy += l2_squared(patch.shapes[f], uv, patch.triangles[f]) * patch.shapes[f].area();
+    return energy;
+  });
 }
 
 /// as `stretch_energy()`, and sets \p sigma (#V) to the stretch of every vertex, the mean over its incident triangles:

@@ -30,7 +30,9 @@ public:
   typedef Eigen::Matrix<Number_per_axis, Eigen::Dynamic, 1> Vector;
 
   /// \param rank #V: the row of each vertex
-  Axis_matrix(const Patch& patch, std::vector<int> rank) : m_patch(patch), m_rank(std::move(rank))
+  /// \param division of the patch, which must live as long; null for none: then one thread computes the Hessian
+  Axis_matrix(const Patch& patch, std::vector<int> rank, const Patch_division* division = nullptr)
+    : m_patch(patch), m_rank(std::move(rank)), m_division(division)
   {
     const int n = patch.number_of_vertices();
     std::vector<Eigen::Triplet<double>> entries;
@@ -67,8 +69,8 @@ public:
     const Eigen::RowVector2d to_rectangle = energy.scale(uv);
     Number_per_axis* const values = matrix.valuePtr();
     std::fill_n(values, matrix.nonZeros(), Number_per_axis());
-    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
-      const Balanced_energy::Hessian_blocks blocks = energy.hessian_blocks(f, uv, to_rectangle);
+    const auto blocks_of = [&](int f) { return energy.hessian_blocks(f, uv, to_rectangle); };
+    const auto add = [&](int f, const Balanced_energy::Hessian_blocks& blocks, double) {
       const auto& t = m_patch.triangles[f];
       for(int axis = 0; axis < 2; ++axis)
         for(int k = 0; k < 3; ++k) {
@@ -79,7 +81,13 @@ public:
           if(is_free(t[next], axis))
             values[m_slots[f][3 + k]][axis] += blocks.of_axis[axis](k, next);
         }
-    }
+    };
+    double nothing = 0;
+    if(m_division == nullptr || !m_division->is_divided())
+      for(int f = 0; f < m_patch.number_of_faces(); ++f)
+        add(f, blocks_of(f), nothing);
+    else
+      for_divided_triangles<Balanced_energy::Hessian_blocks>(*m_division, nothing, blocks_of, add);
     for(int v = 0; v < m_patch.number_of_vertices(); ++v)
       for(int axis = 0; axis < 2; ++axis)
         if(!is_free(v, axis))
@@ -89,6 +97,7 @@ public:
 private:
   const Patch& m_patch;
   std::vector<int> m_rank;
+  const Patch_division* m_division;
   Sparse_matrix m_pattern;                 // upper triangle
   std::vector<std::array<int, 6>> m_slots; // #F: places of the entries (k, k), and then (k, k + 1), of a triangle
 };

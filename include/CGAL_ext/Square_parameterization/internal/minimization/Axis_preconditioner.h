@@ -36,8 +36,9 @@ public:
     }
   };
 
-  explicit Axis_preconditioner(const Patch& patch)
-    : m_matrix(patch, fill_reducing_order(patch.number_of_vertices(), patch.edges))
+  /// \param division see `Axis_matrix`
+  explicit Axis_preconditioner(const Patch& patch, const Patch_division* division = nullptr)
+    : m_matrix(patch, fill_reducing_order(patch.number_of_vertices(), patch.edges), division)
   {}
 
   /// factors the two matrices at \p uv; false when that fails

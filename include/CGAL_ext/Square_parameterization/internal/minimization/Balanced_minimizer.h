@@ -12,6 +12,13 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Secant_memory.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -23,6 +30,9 @@ namespace internal {
 ///
 /// A step goes at most nine tenths of the way to the first triangle without area; the line search halves. The sweep
 /// then mends the triangles that stood in the way, which would keep the next steps short, too.
+///
+/// Works with the threads of the current team; the result does not depend on their number. A patch that is large enough to
+/// be divided is worked on in the order of its division, where neighbors are near in memory.
 class Balanced_minimizer
 {
 public:
@@ -36,26 +46,53 @@ public:
   /// of a small patch
   /// \param deadline when it has passed a minimization ends with the map so far
   Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline = {})
-    : Balanced_minimizer(patch, options, deadline, Multigrid_preconditioner(patch))
+    : Balanced_minimizer(Patch_division(patch), false, patch, options, deadline)
   {}
 
-  /// of a large patch, of which coarser ones have been minimised
-  Balanced_minimizer(const Patch& patch, const Coarse_patch& to_coarser, const Balanced_minimizer& coarser,
+  /// the same, with the patch divided already
+  /// \param has_coarser for a large patch, of which coarser ones are minimised before: `set_coarser()` is to follow
+  Balanced_minimizer(const Patch_division& division, bool has_coarser, const Patch& patch,
                      const Balanced_minimization& options, const Deadline& deadline)
-    : Balanced_minimizer(patch, options, deadline,
-                         Multigrid_preconditioner(patch, to_coarser, coarser.m_preconditioner))
-  {}
+    : m_given_patch(patch),
+      m_ordered_patch(division.is_divided() ? in_order_of(division, patch) : Patch()),
+      m_patch(division.is_divided() ? m_ordered_patch : patch),
+      m_order(division.order()),
+      m_division(division.is_divided() ? division.in_order() : division),
+      m_energy(m_patch, options.balance, options.aspect, &m_division),
+      m_preconditioner(has_coarser ? Multigrid_preconditioner::of_large(m_patch, m_division)
+                                   : Multigrid_preconditioner(m_patch, m_division)),
+      m_sweep(m_patch, m_division, options.balance),
+      m_options(options),
+      m_deadline(deadline)
+  {
+    m_ordered_patch.edges = {}; // which the matrices alone need, while they are made
+  }
 
-  const Patch& patch() const { return m_energy.patch(); }
+  Balanced_minimizer(const Balanced_minimizer&) = delete;
+  Balanced_minimizer& operator=(const Balanced_minimizer&) = delete;
+
+  /// tells a minimizer of a large patch of the next coarser one, and what minimises it
+  void set_coarser(const Coarse_patch& to_coarser, const Balanced_minimizer& coarser)
+  {
+    std::vector<int> rank(m_order.size());
+    for(std::size_t i = 0; i < rank.size(); ++i)
+      rank[m_order[i]] = static_cast<int>(i);
+    m_preconditioner.set_coarser(Vertex_interpolation(m_given_patch, to_coarser, rank, coarser.m_order),
+                                 coarser.m_preconditioner);
+  }
+
+  /// the patch as it was given
+  const Patch& patch() const { return m_given_patch; }
 
   /// what takes the unit square to the rectangle of a map: see `scale_to_rectangle()`
-  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(uv); }
+  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(in_order(uv)); }
 
-  /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
+  /// sweeps over a map until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
   /// cost, in vertices visited.
-  long relax(Uv_coordinates& uv) const
+  long relax(Uv_coordinates& given_uv) const
   {
-    const Free_coordinates is_free = free_coordinates(patch(), uv, is_border_sliding());
+    Uv_coordinates uv = in_order(std::move(given_uv));
+    const Free_coordinates is_free = free_coordinates(m_patch, uv, is_border_sliding());
     double energy = m_energy(uv);
     int sweeps = 0;
     for(bool gains = true; gains && sweeps < Minimizer_numbers::MAXIMUM_SWEEPS; ++sweeps) {
@@ -64,7 +101,8 @@ public:
       gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
       energy = reached;
     }
-    return static_cast<long>(sweeps) * uv.rows();
+    given_uv = in_given_order(std::move(uv));
+    return static_cast<long>(sweeps) * given_uv.rows();
   }
 
   /// minimises, with the largest number of iterations of the options
@@ -80,7 +118,8 @@ public:
   Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations,
                          Workspace& workspace) const
   {
-    const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
+    map.uv = in_order(std::move(map.uv));
+    const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
     Minimization_report& report = map.report;
     Secant_memory memory(Minimizer_numbers::SECANT_PAIRS);
     report.objective = gradient_at(map.uv, is_free, workspace.gradient);
@@ -106,8 +145,9 @@ public:
         report.stop_reason = Stop_reason::CONVERGED;
         break;
       }
-      const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope);
-      if(!search_line(report.objective, slope, map.uv, workspace)) {
+      double feasible = largest_step(m_patch, map.uv, workspace.direction);
+      const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope, feasible);
+      if(!search_line(report.objective, slope, feasible, map.uv, workspace)) {
         if(age == 0 && memory.is_empty()) {
           report.stop_reason = Stop_reason::NO_LOWER_MAP;
           break;
@@ -123,9 +163,10 @@ public:
       if(goes_round)
         memory.clear(); // of a step that was none of the whole mesh
     }
-    map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * patch().number_of_vertices();
-    report.gradient_norm = workspace.gradient.norm();
+    map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * m_patch.number_of_vertices();
+    report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
+    map.uv = in_given_order(std::move(map.uv));
     return map;
   }
 
@@ -133,30 +174,47 @@ public:
   /// be the largest stretch of all
   void settle(Minimized_map& map) const
   {
-    const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
+    map.uv = in_order(std::move(map.uv));
+    const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
     for(int i = 0; i < Minimizer_numbers::SETTLING_SWEEPS; ++i)
       m_sweep(is_free, m_energy.scale(map.uv), map.uv);
     Uv_coordinates gradient;
     map.report.objective = map.report.history.back() = gradient_at(map.uv, is_free, gradient);
-    map.report.gradient_norm = gradient.norm();
+    map.report.gradient_norm = std::sqrt(dot(gradient, gradient));
     measure_stretch(map);
+    map.uv = in_given_order(std::move(map.uv));
   }
 
 private:
-  Balanced_minimizer(const Patch& patch, const Balanced_minimization& options, const Deadline& deadline,
-                     Multigrid_preconditioner preconditioner)
-    : m_energy(patch, options.balance, options.aspect),
-      m_preconditioner(std::move(preconditioner)),
-      m_sweep(patch, options.balance),
-      m_options(options),
-      m_deadline(deadline)
-  {}
+  /// a map of the patch that was given (#V by 2) as one of the ordered one
+  Uv_coordinates in_order(Uv_coordinates uv) const
+  {
+    if(!m_division.is_divided())
+      return uv;
+    Uv_coordinates result(uv.rows(), 2);
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      result.row(i) = uv.row(m_order[i]);
+    return result;
+  }
+
+  /// and back
+  Uv_coordinates in_given_order(Uv_coordinates uv) const
+  {
+    if(!m_division.is_divided())
+      return uv;
+    Uv_coordinates result(uv.rows(), 2);
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      result.row(m_order[i]) = uv.row(i);
+    return result;
+  }
+
+  // what follows has the vertices of the ordered patch
 
   /// on the rectangle of the energy
   void measure_stretch(Minimized_map& map) const
   {
     map.aspect = m_energy.aspect(map.uv);
-    map.report.l2 = std::sqrt(stretch_energy(patch(), on_rectangle(map.uv, map.aspect)));
+    map.report.l2 = std::sqrt(stretch_energy(m_patch, on_rectangle(map.uv, map.aspect)));
   }
 
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
@@ -177,7 +235,7 @@ private:
   double gradient_at(const Uv_coordinates& uv, const Free_coordinates& is_free, Uv_coordinates& gradient) const
   {
     const double energy = m_energy.gradient(uv, gradient);
-    gradient = is_free.select(gradient, 0.);
+    set_rows(gradient, uv.rows(), [&](const auto& rows) { return rows(is_free).select(rows(gradient), 0.); });
     return energy;
   }
 
@@ -185,14 +243,18 @@ private:
   double find_direction(Secant_memory& memory, Workspace& workspace) const
   {
     const auto precondition = [&](Uv_coordinates& x) { m_preconditioner.apply(workspace.preconditioner, x); };
-    workspace.direction = -workspace.gradient;
+    const auto descend_steepest = [&workspace] {
+      set_rows(workspace.direction, workspace.gradient.rows(),
+               [&](const auto& rows) { return -rows(workspace.gradient); });
+    };
+    descend_steepest();
     memory.apply(precondition, workspace.direction);
-    double slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+    double slope = dot(workspace.gradient, workspace.direction);
     if(!(slope < 0) && !memory.is_empty()) {
       memory.clear();
-      workspace.direction = -workspace.gradient;
+      descend_steepest();
       precondition(workspace.direction);
-      slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+      slope = dot(workspace.gradient, workspace.direction);
     }
     return slope;
   }
@@ -200,42 +262,48 @@ private:
   /// turns to another direction where triangles that lose their area on a small part of the way would keep the step
   /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Returns
   /// false when there are none; else the factors are of this direction alone.
+  /// \param feasible the largest step in the direction
   bool go_round_blocked(const Free_coordinates& is_free, Secant_memory& memory, const Uv_coordinates& uv,
-                        Workspace& workspace, double& slope) const
+                        Workspace& workspace, double& slope, double& feasible) const
   {
+    if(!is_blocked(feasible))
+      return false;
     Free_coordinates moves = is_free;
-    bool goes_round = false;
-    for(int i = 0; i < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && fix_blocked(uv, workspace.direction, moves); ++i) {
-      goes_round = true;
+    for(int i = 0; i < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible); ++i) {
+      fix_blocked(uv, workspace.direction, moves);
       memory.clear();
       if(!m_preconditioner.factorize(m_energy, uv, moves, workspace.preconditioner))
         break;
       workspace.direction = moves.select(-workspace.gradient, 0.);
       m_preconditioner.apply(workspace.preconditioner, workspace.direction);
-      slope = workspace.gradient.cwiseProduct(workspace.direction).sum();
+      slope = dot(workspace.gradient, workspace.direction);
+      feasible = largest_step(m_patch, uv, workspace.direction);
     }
-    return goes_round;
+    return true;
   }
 
-  /// lets the vertices of triangles that stand in the way stay; false when there are none
-  bool fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
+  static bool is_blocked(double feasible)
   {
-    bool is_any_blocked = false;
-    for(const auto& t : patch().triangles)
-      if(Minimizer_numbers::STEP_SAFETY * largest_step(t, uv, direction) < Minimizer_numbers::BLOCKED_STEP) {
-        is_any_blocked = true;
+    return Minimizer_numbers::STEP_SAFETY * feasible < Minimizer_numbers::BLOCKED_STEP;
+  }
+
+  /// lets the vertices of triangles that stand in the way stay
+  void fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
+  {
+    for(const auto& t : m_patch.triangles)
+      if(is_blocked(largest_step(t, uv, direction)))
         for(int v : t)
           moves(v, 0) = moves(v, 1) = false;
-      }
-    return is_any_blocked;
   }
 
   /// sets the trial to a map of lower energy on the line from \p uv; false when there is none
-  bool search_line(double energy, double slope, const Uv_coordinates& uv, Workspace& workspace) const
+  /// \param feasible the largest step in the direction
+  bool search_line(double energy, double slope, double feasible, const Uv_coordinates& uv, Workspace& workspace) const
   {
-    double length = (std::min)(1., Minimizer_numbers::STEP_SAFETY * largest_step(patch(), uv, workspace.direction));
+    double length = (std::min)(1., Minimizer_numbers::STEP_SAFETY * feasible);
     for(int i = 0; i < Minimizer_numbers::MAXIMUM_STEP_HALVINGS; ++i, length /= 2) {
-      workspace.trial = uv + length * workspace.direction;
+      set_rows(workspace.trial, uv.rows(),
+               [&](const auto& rows) { return rows(uv) + length * rows(workspace.direction); });
       if(m_energy(workspace.trial) <= energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope)
         return true;
     }
@@ -248,11 +316,20 @@ private:
     m_sweep(is_free, m_energy.scale(workspace.trial), workspace.trial);
     workspace.previous_gradient.swap(workspace.gradient);
     const double energy = gradient_at(workspace.trial, is_free, workspace.gradient);
-    memory.add(workspace.trial - uv, workspace.gradient - workspace.previous_gradient);
     uv.swap(workspace.trial);
+    Uv_coordinates &change = workspace.trial, &gradient_change = workspace.previous_gradient; // in place
+    set_rows(change, uv.rows(), [&](const auto& rows) { return rows(uv) - rows(change); });
+    set_rows(gradient_change, uv.rows(),
+             [&](const auto& rows) { return rows(workspace.gradient) - rows(gradient_change); });
+    memory.add(change, gradient_change);
     return energy;
   }
 
+  const Patch& m_given_patch;
+  Patch m_ordered_patch;    // of a large patch
+  const Patch& m_patch;     // that, or the given one
+  std::vector<int> m_order; // per vertex of this, the one of the given patch
+  Patch_division m_division;
   Balanced_energy m_energy;
   Multigrid_preconditioner m_preconditioner;
   Vertex_sweep m_sweep;

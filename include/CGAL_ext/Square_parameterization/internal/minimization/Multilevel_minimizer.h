@@ -10,6 +10,7 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/transport_map.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_level_minimizers.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -59,14 +60,17 @@ public:
     coarse_options.balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
     coarse_options.maximum_iterations = Minimizer_numbers::COARSE_ITERATIONS;
     m_coarse_balance = coarse_options.balance;
-    coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT});
-    m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
-    m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
-    m_rough_level = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
-    coarsen({std::nullopt});
-    m_minimizers.resize(m_patches.size());
-    for(std::size_t level = m_patches.size(); level-- > 0;)
-      m_minimizers[level] = make_minimizer_of(level, level == 0 ? options : coarse_options);
+    Coarse_patch_stream stream;
+    Thread_team::current()(2, [&](std::size_t i) { // the second waits for the first
+      if(i == 0)
+        make_patches(stream);
+      else
+        m_minimizers = make_level_minimizers(patch, stream, options, coarse_options, deadline);
+    });
+    Thread_team::current()(m_patches.size(), [this](std::size_t level) {
+      if(is_large(level))
+        m_minimizers[level]->set_coarser(m_patches.coarse(level + 1), *m_minimizers[level + 1]);
+    });
   }
 
   /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
@@ -172,10 +176,27 @@ private:
     long work = 0;                   ///< in vertices visited
   };
 
-  /// adds patches as long as they get coarser, and a start from the last of them
-  void coarsen(Patch_sequence::Shapes_kept shapes_kept)
+  /// makes the patches, from fine to coarse
+  void make_patches(Coarse_patch_stream& stream)
   {
-    m_patches.coarsen(shapes_kept);
+    struct End // also when an exception is thrown
+    {
+      explicit End(Coarse_patch_stream& of) : stream(of) {}
+      ~End() { stream.end(); }
+      Coarse_patch_stream& stream;
+    };
+    const End end(stream);
+    coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT}, stream);
+    m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
+    m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
+    m_rough_level = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
+    coarsen({std::nullopt}, stream);
+  }
+
+  /// adds patches as long as they get coarser, and a start from the last of them
+  void coarsen(Patch_sequence::Shapes_kept shapes_kept, Coarse_patch_stream& stream)
+  {
+    m_patches.coarsen(shapes_kept, [&stream](const Coarse_patch& coarse) { stream.add(coarse); });
     const std::size_t coarsest = m_patches.size() - 1;
     if(m_starts.empty() || m_starts.back().level < coarsest)
       m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], m_options.start,
@@ -185,15 +206,6 @@ private:
   bool is_large(std::size_t level) const
   {
     return level + 1 < m_patches.size() && m_patches[level].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED;
-  }
-
-  /// \pre those of the coarser patches are made
-  std::unique_ptr<Balanced_minimizer> make_minimizer_of(std::size_t level, const Balanced_minimization& options) const
-  {
-    if(is_large(level))
-      return std::make_unique<Balanced_minimizer>(m_patches[level], m_patches.coarse(level + 1),
-                                                  *m_minimizers[level + 1], options, m_deadline);
-    return std::make_unique<Balanced_minimizer>(m_patches[level], options, m_deadline);
   }
 
   void prepare(Workspace& workspace) const

@@ -5,8 +5,10 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_SECANT_MEMORY_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <utility>
@@ -31,15 +33,16 @@ public:
   void add(const Uv_coordinates& step, const Uv_coordinates& gradient_change)
   {
     const double curvature = dot(step, gradient_change);
-    if(!(curvature > Minimizer_numbers::LEAST_CURVATURE_COSINE * step.norm() * gradient_change.norm()))
+    if(!(curvature > Minimizer_numbers::LEAST_CURVATURE_COSINE * std::sqrt(dot(step, step)) *
+                         std::sqrt(dot(gradient_change, gradient_change))))
       return;
     if(m_pairs.size() == m_capacity) { // the oldest gives its memory to the newest
       m_pairs.push_back(std::move(m_pairs.front()));
       m_pairs.pop_front();
     } else
       m_pairs.emplace_back();
-    m_pairs.back().step = step;
-    m_pairs.back().gradient_change = gradient_change;
+    set_rows(m_pairs.back().step, step.rows(), [&](const auto& rows) { return rows(step); });
+    set_rows(m_pairs.back().gradient_change, step.rows(), [&](const auto& rows) { return rows(gradient_change); });
     m_pairs.back().inverse_curvature = 1 / curvature;
   }
 
@@ -51,12 +54,12 @@ public:
     for(std::size_t i = m_pairs.size(); i-- > 0;) {
       const auto& [step, gradient_change, inverse_curvature] = m_pairs[i];
       shares[i] = inverse_curvature * dot(step, x);
-      x -= shares[i] * gradient_change;
+      add_multiple(-shares[i], gradient_change, x);
     }
     precondition(x);
     for(std::size_t i = 0; i < m_pairs.size(); ++i) {
       const auto& [step, gradient_change, inverse_curvature] = m_pairs[i];
-      x += (shares[i] - inverse_curvature * dot(gradient_change, x)) * step;
+      add_multiple(shares[i] - inverse_curvature * dot(gradient_change, x), step, x);
     }
   }
 
@@ -67,7 +70,10 @@ private:
     double inverse_curvature = 0;
   };
 
-  static double dot(const Uv_coordinates& a, const Uv_coordinates& b) { return a.cwiseProduct(b).sum(); }
+  static void add_multiple(double factor, const Uv_coordinates& y, Uv_coordinates& x)
+  {
+    set_rows(x, x.rows(), [&](const auto& rows) { return rows(x) + factor * rows(y); });
+  }
 
   std::size_t m_capacity;
   std::deque<Pair> m_pairs;

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_INTERPOLATION_H
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 
 #include <cmath>
 #include <cstddef>
@@ -21,11 +22,17 @@ namespace internal {
 class Vertex_interpolation
 {
 public:
-  Vertex_interpolation(const Patch& fine, const Coarse_patch& coarse) : m_kept(coarse.fine_vertex), m_first(1, 0)
+  /// \param rank #V of the fine patch: the row of each vertex in `prolong()` and `restrict_to_coarse()`
+  /// \param coarse_order #V of the coarse patch: the vertex of each row there
+  Vertex_interpolation(const Patch& fine, const Coarse_patch& coarse, const std::vector<int>& rank,
+                       const std::vector<int>& coarse_order)
+    : m_first_of_wave(coarse.waves.first), m_first(1, 0)
   {
-    for(const Coarse_patch::Removal& removal : coarse.removals) {
-      m_removed.push_back(removal.vertex);
-      add_weights(fine, removal);
+    for(int v : coarse_order)
+      m_kept.push_back(rank[coarse.fine_vertex[v]]);
+    for(int i : coarse.waves.removals) {
+      m_removed.push_back(rank[coarse.removals[i].vertex]);
+      add_weights(fine, coarse.removals[i], rank);
       m_first.push_back(m_neighbors.size());
     }
   }
@@ -33,13 +40,20 @@ public:
   /// sets \p fine (#V by 2) to what \p coarse (#V of the coarse patch by 2) becomes
   void prolong(const Uv_coordinates& coarse, Uv_coordinates& fine) const
   {
-    for(std::size_t v = 0; v < m_kept.size(); ++v)
-      fine.row(m_kept[v]) = coarse.row(v);
-    for(std::size_t i = m_removed.size(); i-- > 0;) {
-      Eigen::RowVector2d mean(0, 0);
-      for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
-        mean += m_weights[k] * fine.row(m_neighbors[k]);
-      fine.row(m_removed[i]) = mean;
+    for_ranges(m_kept.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+        fine.row(m_kept[v]) = coarse.row(v);
+    });
+    for(std::size_t wave = 0; wave + 1 < m_first_of_wave.size(); ++wave) {
+      const std::size_t first = m_first_of_wave[wave];
+      for_ranges(m_first_of_wave[wave + 1] - first, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t i = first + begin; i < first + end; ++i) {
+          Eigen::RowVector2d mean(0, 0);
+          for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+            mean += m_weights[k] * fine.row(m_neighbors[k]);
+          fine.row(m_removed[i]) = mean;
+        }
+      });
     }
   }
 
@@ -47,16 +61,18 @@ public:
   /// \param fine (#V by 2) is overwritten
   void restrict_to_coarse(Uv_coordinates& fine, Uv_coordinates& coarse) const
   {
-    for(std::size_t i = 0; i < m_removed.size(); ++i)
+    for(std::size_t i = m_removed.size(); i-- > 0;)
       for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
         fine.row(m_neighbors[k]) += m_weights[k] * fine.row(m_removed[i]);
     coarse.resize(m_kept.size(), 2);
-    for(std::size_t v = 0; v < m_kept.size(); ++v)
-      coarse.row(v) = fine.row(m_kept[v]);
+    for_ranges(m_kept.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v)
+        coarse.row(v) = fine.row(m_kept[v]);
+    });
   }
 
 private:
-  void add_weights(const Patch& fine, const Coarse_patch::Removal& removal)
+  void add_weights(const Patch& fine, const Coarse_patch::Removal& removal, const std::vector<int>& rank)
   {
     const Eigen::Vector3d& center = fine.points[removal.vertex];
     const std::vector<int>& ring = removal.ring;
@@ -79,14 +95,16 @@ private:
     const bool is_sound = std::isfinite(sum) && sum > 0;
     for(std::size_t i = 0; i < ring.size(); ++i)
       if(!is_sound || weights[i] > 0) {
-        m_neighbors.push_back(ring[i]);
+        m_neighbors.push_back(rank[ring[i]]);
         m_weights.push_back(is_sound ? weights[i] / sum : 1 / double(ring.size()));
       }
   }
 
-  std::vector<int> m_kept;          // per vertex of the coarse patch, the one of the fine patch
-  std::vector<int> m_removed;       // vertices of the fine patch, in the order in which they were taken out
-  std::vector<std::size_t> m_first; // the neighbors of the i-th of them are first[i], ..., first[i + 1] - 1
+  // all vertices by their rows
+  std::vector<int> m_kept;                  // per vertex of the coarse patch, the one of the fine patch
+  std::vector<int> m_removed;               // vertices of the fine patch, wave by wave
+  std::vector<std::size_t> m_first_of_wave; // in this list
+  std::vector<std::size_t> m_first;         // the neighbors of the i-th of them are first[i], ..., first[i + 1] - 1
   std::vector<int> m_neighbors;
   std::vector<double> m_weights;
 };

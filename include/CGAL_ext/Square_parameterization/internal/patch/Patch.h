@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_PATCH_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Flat_triangle.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/number_edges.h>
 
@@ -120,20 +121,30 @@ inline void scale_patch(double scale, Patch& patch)
 /// fills the shapes and the degenerate faces of a patch whose points are normalised, and scales it to area 1
 inline void measure_faces(Patch& patch)
 {
+  patch.shapes.resize(patch.triangles.size());
+  for_ranges(patch.triangles.size(), [&patch](std::size_t begin, std::size_t end) {
+    for(std::size_t f = begin; f < end; ++f) {
+      const auto& [a, b, c] = patch.triangles[f];
+      patch.shapes[f] = flatten(patch.points[a], patch.points[b], patch.points[c], patch.rounding);
+    }
+  });
   double area = 0;
-  for(const auto& [a, b, c] : patch.triangles) {
-    patch.shapes.push_back(flatten(patch.points[a], patch.points[b], patch.points[c], patch.rounding));
-    area += patch.shapes.back().area();
-  }
+  for(const Flat_triangle& shape : patch.shapes)
+    area += shape.area();
   if(!(area > 0))
     refuse_without_extent();
   scale_patch(1 / std::sqrt(area), patch);
   patch.least_height = (std::max)(DEGENERATE_HEIGHT, patch.rounding);
-  for(int f = 0; f < patch.number_of_faces(); ++f) {
-    const auto& [a, b, c] = patch.triangles[f];
-    if(flatten(patch.points[a], patch.points[b], patch.points[c], patch.least_height).y2 == 0)
+  std::vector<char> is_degenerate(patch.triangles.size());
+  for_ranges(patch.triangles.size(), [&](std::size_t begin, std::size_t end) {
+    for(std::size_t f = begin; f < end; ++f) {
+      const auto& [a, b, c] = patch.triangles[f];
+      is_degenerate[f] = flatten(patch.points[a], patch.points[b], patch.points[c], patch.least_height).y2 == 0;
+    }
+  });
+  for(int f = 0; f < patch.number_of_faces(); ++f)
+    if(is_degenerate[f])
       patch.degenerate_faces.push_back(f);
-  }
   if(patch.degenerate_faces.empty())
     return;
   area = 1;

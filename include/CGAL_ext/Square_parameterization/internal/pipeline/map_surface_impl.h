@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
@@ -209,6 +210,8 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   };
   const auto start = Clock::now();
   check_settings(settings);
+  Thread_team team(settings.search_options.number_of_threads);
+  const Thread_team::Scope scope(team);
   Triangle_surface surface = make_checked_surface(mesh);
   const Cut cut = cut_to_disk(surface, chosen.seams, seam_options(settings), report.cut);
   const auto condition_start = Clock::now();

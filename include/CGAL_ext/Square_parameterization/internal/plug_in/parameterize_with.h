@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PLUG_IN_PARAMETERIZE_WITH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PLUG_IN_PARAMETERIZE_WITH_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_patch.h>
@@ -35,7 +36,7 @@ struct Searches_corners<Border, std::void_t<decltype(std::declval<const Border&>
 /// \p make_minimizer makes for a patch and a deadline.
 ///
 /// With a border parameterizer that searches, the best map of the search is the result, and is not computed twice; the
-/// visitor of the search is told of it. Any other is taken as it is, mirrored or not.
+/// visitor of the search is told of it. Any other is taken as it is, mirrored or not, and then all cores are used.
 template <class TriangleMesh, class Border, class MakeMinimizer, class VertexUVmap, class VertexIndexMap,
           class VertexParameterizedMap>
 Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border, TriangleMesh& mesh,
@@ -49,8 +50,13 @@ Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border
     const TriangleMesh& const_mesh = mesh;
     const auto [patch, vertices] = make_face_graph_patch(const_mesh, bhd, get(CGAL::vertex_point, const_mesh));
     Deadline deadline;
-    if constexpr(Searches_corners<Border>::value)
+    unsigned int number_of_threads = 0;
+    if constexpr(Searches_corners<Border>::value) {
       deadline = border.deadline();
+      number_of_threads = border.number_of_threads();
+    }
+    Thread_team team(number_of_threads);
+    const Thread_team::Scope scope(team);
     const std::shared_ptr<const Map_minimizer> minimizer = make_minimizer(patch, deadline);
     Minimized_map map;
     if constexpr(Searches_corners<Border>::value) {

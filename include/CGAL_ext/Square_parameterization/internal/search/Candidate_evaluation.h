@@ -26,15 +26,12 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// the number of threads that map a surface of \p number_of_vertices: as many as asked for; for 0 all cores, but for
-/// large surfaces no more than have room in about 2 GB
-inline unsigned int number_of_search_threads(unsigned int number_of_threads, int number_of_vertices)
+/// the number of maps of a surface of \p number_of_vertices that are under way at a time, at most: as many as have room
+/// in about 2 GB. Threads beyond help with these.
+inline std::size_t most_maps_at_once(int number_of_vertices)
 {
   constexpr int MOST_VERTICES = 1000000; // of all maps under way: each takes 1 to 3 kB
-  if(number_of_threads != 0)
-    return number_of_threads;
-  return std::clamp(static_cast<unsigned int>(MOST_VERTICES / (std::max)(1, number_of_vertices)), 1u,
-                    default_number_of_threads());
+  return static_cast<std::size_t>((std::max)(1, MOST_VERTICES / (std::max)(1, number_of_vertices)));
 }
 
 /// thrown out of a strategy by the evaluation when the callback asks to stop. No `std::exception`: a strategy that
@@ -70,11 +67,14 @@ public:
   /// \param visitor told of each evaluation, by one thread at a time; may be null
   /// \param callback asked before each evaluation, by one thread at a time, with the share of the candidates evaluated
   ///        so far; `false` stops. May be empty.
+  /// \param most_at_once candidates under way at a time, each with the memory of a worker
   Candidate_evaluation(int number_of_candidates, std::function<Worker()> make_worker, unsigned int number_of_threads,
-                       Search_visitor* visitor, std::function<bool(double)> callback)
+                       Search_visitor* visitor, std::function<bool(double)> callback,
+                       std::size_t most_at_once = Thread_team::ANY_NUMBER)
     : m_number_of_candidates(number_of_candidates),
       m_workers(std::move(make_worker)),
-      m_team(number_of_threads, number_of_candidates),
+      m_team(number_of_threads),
+      m_most_at_once(most_at_once),
       m_visitor(visitor),
       m_callback(std::move(callback))
   {}
@@ -96,12 +96,15 @@ public:
         warm_starts.push_back(start_from_neighbors ? nearest_warm_start(candidate) : nullptr);
       }
     std::vector<char> is_done(missing.size(), false);
-    m_team(missing.size(), [&](std::size_t i) {
-      if(!may_continue())
-        return;
-      evaluate(missing[i], warm_starts[i], start_from_neighbors);
-      is_done[i] = true;
-    });
+    m_team(
+        missing.size(),
+        [&](std::size_t i) {
+          if(!may_continue())
+            return;
+          evaluate(missing[i], warm_starts[i], start_from_neighbors);
+          is_done[i] = true;
+        },
+        m_most_at_once);
     for(std::size_t i = 0; i < missing.size(); ++i)
       if(!is_done[i])
         m_samples.erase(missing[i]);
@@ -189,6 +192,7 @@ private:
   const int m_number_of_candidates;
   Worker_pool<Worker> m_workers;
   Thread_team m_team;
+  std::size_t m_most_at_once;
   Search_visitor* m_visitor;
   std::function<bool(double)> m_callback;
 

@@ -28,11 +28,14 @@ class Corner_evaluation
 public:
   /// \param visitor told of each map, by one thread at a time; may be null
   /// \param may_continue asked before each map, by one thread at a time; `false` stops
+  /// \param most_at_once maps under way at a time, each with the memory of a worker
   Corner_evaluation(std::function<Map_minimizer::Worker()> make_worker, const Patch& patch,
-                    unsigned int number_of_threads, Search_visitor* visitor, std::function<bool()> may_continue)
+                    unsigned int number_of_threads, Search_visitor* visitor, std::function<bool()> may_continue,
+                    std::size_t most_at_once = Thread_team::ANY_NUMBER)
     : m_workers(std::move(make_worker)),
       m_loop(patch.border_lengths, Walk::COUNTER_CLOCKWISE),
-      m_team(number_of_threads, MOST_TASKS),
+      m_team(number_of_threads),
+      m_most_at_once(most_at_once),
       m_visitor(visitor),
       m_may_continue(std::move(may_continue))
   {}
@@ -48,10 +51,13 @@ public:
                          "order");
     m_number_of_choices += choices.size();
     std::vector<Minimized_map> maps(choices.size());
-    m_team(choices.size(), [&](std::size_t i) {
-      if(may_continue())
-        maps[i] = map_for(choices[i]);
-    });
+    m_team(
+        choices.size(),
+        [&](std::size_t i) {
+          if(may_continue())
+            maps[i] = map_for(choices[i]);
+        },
+        m_most_at_once);
     if(m_is_cancelled)
       throw Search_cancelled();
     std::vector<double> objectives;
@@ -79,8 +85,6 @@ public:
   const Corners& best_corners() const { return m_best_corners; }
 
 private:
-  static constexpr int MOST_TASKS = 128; // at a time: a spread of choices
-
   bool are_border_positions(const Corners& corners) const
   {
     const auto [least, largest] = std::minmax_element(corners.begin(), corners.end());
@@ -107,6 +111,7 @@ private:
   Worker_pool<Map_minimizer::Worker> m_workers;
   const Border_walk m_loop;
   Thread_team m_team;
+  std::size_t m_most_at_once;
   Search_visitor* m_visitor;
   std::function<bool()> m_may_continue;
   std::mutex m_mutex; // of the callback and the visitor

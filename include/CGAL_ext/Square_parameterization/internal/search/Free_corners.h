@@ -31,7 +31,8 @@ public:
   Free_corners(const Patch& patch, const Map_minimizer& minimizer, unsigned int number_of_threads,
                Search_visitor* visitor, const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
     : m_patch(patch),
-      m_maps([&minimizer] { return minimizer.make_worker(); }, patch, number_of_threads, visitor, may_map)
+      m_maps([&minimizer] { return minimizer.make_worker(); }, patch, number_of_threads, visitor, may_map,
+             most_maps_at_once(patch.number_of_vertices()))
   {
     if(minimizer.has_sketches())
       m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,

@@ -50,20 +50,22 @@ public:
       m_walk(patch.border_lengths, options.walk),
       m_number_of_candidates(search.candidate_set() == Candidate_set::FULL ? m_walk.size()
                                                                            : number_of_quarter_candidates(m_walk)),
-      m_threads(number_of_search_threads(options.number_of_threads, patch.number_of_vertices())),
       m_evaluation(
-          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, m_threads,
-          options.visitor, [this](double share) { return may_continue(share, m_options.deadline); }),
+          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); },
+          options.number_of_threads, options.visitor,
+          [this](double share) { return may_continue(share, m_options.deadline); },
+          most_maps_at_once(patch.number_of_vertices())),
       m_corners(
-          patch, minimizer, m_threads, options.visitor, [this] { return may_continue(1, m_options.deadline); },
+          patch, minimizer, options.number_of_threads, options.visitor,
+          [this] { return may_continue(1, m_options.deadline); },
           // while nothing is mapped, time is left for that
           [this] { return may_continue(1, has_map() ? m_options.deadline : m_sketch_deadline); })
   {
     m_sketch_visitor.visitor = options.visitor;
     if(minimizer.has_sketches())
       m_sketches.emplace(
-          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); }, m_threads,
-          &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
+          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); },
+          options.number_of_threads, &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 
   Search_outcome operator()()
@@ -231,7 +233,6 @@ private:
   const Deadline m_sketch_deadline = part_way_to(m_options.deadline, 0.5);
   const Border_walk m_walk;
   const int m_number_of_candidates;
-  const unsigned int m_threads;
   Candidate_evaluation m_evaluation;
   Sketch_visitor m_sketch_visitor;
   std::optional<Candidate_evaluation> m_sketches;

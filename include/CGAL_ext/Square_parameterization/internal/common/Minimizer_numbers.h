@@ -128,6 +128,13 @@ struct Minimizer_numbers
   /// directions that are tried to go round triangles: vertices that stay make others stand in the way
   static constexpr int MAXIMUM_ROUNDABOUTS = 4;
 
+  /// how many times what a step promises a minimization may still gain. Less: borders are given up for others that are
+  /// no better; more: what is clear is minimised further.
+  static constexpr double MOST_PROMISES = 3;
+
+  /// sweeps over a map that was carried over to a similar border, at most: its errors are at the border, and large
+  static constexpr int SWEEPS_OF_TRANSPORTED = 2;
+
   /// cost of a step, as a multiple of that of a sweep; measured
   static constexpr long STEP_WORK = 4;
 

@@ -53,12 +53,13 @@ public:
 
   /// sweeps over \p uv until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
   /// cost, in vertices visited.
-  long relax(Uv_coordinates& uv) const
+  /// \param most the largest number of sweeps
+  long relax(Uv_coordinates& uv, int most = Minimizer_numbers::MAXIMUM_SWEEPS) const
   {
     const Free_coordinates is_free = free_coordinates(patch(), uv, is_border_sliding());
     double energy = m_energy(uv);
     int sweeps = 0;
-    for(bool gains = true; gains && sweeps < Minimizer_numbers::MAXIMUM_SWEEPS; ++sweeps) {
+    for(bool gains = true; gains && sweeps < most; ++sweeps) {
       m_sweep(is_free, m_energy.scale(uv), uv);
       const double reached = m_energy(uv);
       gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
@@ -75,10 +76,12 @@ public:
 
   /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less
   /// \param maximum_iterations largest number of steps, with those that the map has behind it
+  /// \param limit ends, too, as soon as the energy will stay above it by all that steps promise; the objective is what
+  ///        it would come to then, and not below the limit
   /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
   ///      iterations and its history, too
-  Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations,
-                         Workspace& workspace) const
+  Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations, Workspace& workspace,
+                         double limit = std::numeric_limits<double>::infinity()) const
   {
     const Free_coordinates is_free = free_coordinates(patch(), map.uv, is_border_sliding());
     Minimization_report& report = map.report;
@@ -104,6 +107,11 @@ public:
       double slope = find_direction(memory, workspace);
       if(-slope / 2 <= tolerance * report.objective || gains_little(report.history, tolerance)) {
         report.stop_reason = Stop_reason::CONVERGED;
+        break;
+      }
+      if(report.iterations > first_iteration && stays_above(limit, report.history, slope)) {
+        report.stop_reason = Stop_reason::CONVERGED;
+        report.objective = (std::max)(report.objective + slope / 2, limit);
         break;
       }
       const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope);
@@ -172,6 +180,13 @@ private:
   {
     constexpr std::size_t STEPS = Minimizer_numbers::STEPS_COMPARED;
     return history.size() > STEPS && history[history.size() - 1 - STEPS] - history.back() <= tolerance * history.back();
+  }
+
+  /// tells whether the energy will not fall to the limit, by what the next step promises and the last one gained
+  static bool stays_above(double limit, const std::vector<double>& history, double slope)
+  {
+    const double last_gain = history[history.size() - 2] - history.back();
+    return history.back() - (std::max)(Minimizer_numbers::MOST_PROMISES * -slope / 2, last_gain) > limit;
   }
 
   double gradient_at(const Uv_coordinates& uv, const Free_coordinates& is_free, Uv_coordinates& gradient) const

@@ -80,7 +80,7 @@ public:
       const bool is_square = m_rough_maps->best_map().aspect == 1;
       most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
       std::vector<Corners> ends = ends_of_moves(start, is_square, moves);
-      const bool is_certain = m_sketches && keep_best_sketch(start, sketch, moves, ends);
+      const bool is_certain = m_sketches && keep_best_sketch(start, sketch, most_work, moves, ends);
       map_ends(ends);
       return is_certain && best_map().uv.rows() > 0;
     } catch(const Search_cancelled&) {
@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  static constexpr double CERTAIN = 1e-3; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
+  static constexpr double CERTAIN = 4e-4; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
 
   /// the objectives of moves: maps start from that of the choice that is moved, or from \p first, which may be null. On
   /// rectangles that differ in their aspect maps come down slowly, and are not given up before.
@@ -122,10 +122,11 @@ private:
 
   /// keeps the choice with the best sketch, moved to where the sketch is best, if that is better than the one of the
   /// start, and tells whether it is better for certain
-  bool keep_best_sketch(const Corners& start, const Uv_coordinates* sketch, Corner_moves& rough,
+  bool keep_best_sketch(const Corners& start, const Uv_coordinates* sketch, double most_work, Corner_moves& rough,
                         std::vector<Corners>& ends)
   {
-    Corner_moves moves(m_patch.border_lengths, objective_of(*m_sketches, sketch));
+    Corner_moves moves(m_patch.border_lengths, objective_of(*m_sketches, sketch),
+                       [this, most_work] { return double(m_sketches->work()) > most_work; });
     const Corner_choice first = moves.compare({start}).front();
     ends.push_back(start);
     const int step = static_cast<int>(m_patch.border.size()) / 32;

@@ -169,6 +169,10 @@ struct Minimizer_numbers
   /// vertices of the patch on which corners are moved, at most: hundreds of maps are compared there
   static constexpr int LARGEST_ROUGH = 300;
 
+  /// interior vertices, at most, of one that has up to twice as many vertices, most of them on the border: with a few
+  /// dozen inside, maps of such a patch compare corners otherwise than those of all finer ones
+  static constexpr int LARGEST_ROUGH_INTERIOR = 200;
+
   /// vertices from which on a patch is sketched: below, maps cost little more than sketches
   static constexpr int SMALLEST_SKETCHED = 8000;
 

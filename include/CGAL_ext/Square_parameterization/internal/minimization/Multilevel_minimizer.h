@@ -64,7 +64,7 @@ public:
     coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT});
     m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
     m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
-    m_rough_level = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
+    m_rough_level = finest_rough_level();
     coarsen({std::nullopt});
     m_transports.resize(m_patches.size());
     for(std::size_t level : {m_warm_level, m_sketch_level, m_rough_level})
@@ -243,6 +243,19 @@ private:
     if(m_starts.empty() || m_starts.back().level < coarsest)
       m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], m_options.start,
                                                                         make_direct_solver, m_deadline)});
+  }
+
+  /// the finest patch that is small, or not much larger and half border; the coarsest when all are large
+  std::size_t finest_rough_level() const
+  {
+    const std::size_t small = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
+    std::size_t level = m_patches.finest_with(2 * Minimizer_numbers::LARGEST_ROUGH);
+    const auto interior = [this](std::size_t i) {
+      return m_patches[i].number_of_vertices() - static_cast<int>(m_patches[i].border.size());
+    };
+    while(level < small && interior(level) > Minimizer_numbers::LARGEST_ROUGH_INTERIOR)
+      ++level;
+    return level;
   }
 
   bool is_large(std::size_t level) const

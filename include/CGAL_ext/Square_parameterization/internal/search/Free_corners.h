@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_FREE_CORNERS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_FREE_CORNERS_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
 #include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
@@ -34,7 +35,10 @@ public:
       m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, number_of_threads,
              visitor, may_map)
   {
-    if(minimizer.has_sketches())
+    // sketches tell corners apart better than rough maps, also where they save too little to compare all candidates
+    const int n = patch.number_of_vertices();
+    const bool is_between = n > Minimizer_numbers::LARGEST_SKETCH && n < Minimizer_numbers::SMALLEST_SKETCHED;
+    if(minimizer.has_sketches() || (minimizer.has_rough_maps() && is_between))
       m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,
                          may_compare);
     if(minimizer.has_rough_maps())

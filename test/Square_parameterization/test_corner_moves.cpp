@@ -32,7 +32,8 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
     if(!is_square)
       minimization.aspect.reset();
     const auto minimizer = make_minimizer(patch, minimization);
-    Corner_evaluation all([&] { return minimizer->make_worker(); }, patch, 0, nullptr, [] { return true; });
+    Corner_evaluation all([&] { return Map_minimizer::without_limit(minimizer->make_worker()); }, patch, 0, nullptr,
+                          [] { return true; });
     std::vector<Corners> choices;
     for(int a = 0; a < 20; ++a)
       for(int b = a + 1; b < 20; ++b)
@@ -57,7 +58,7 @@ TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred ha
   const auto minimizer = make_minimizer(patch, Balanced_minimization());
   const auto map_for = minimizer->make_rough_worker();
   for(const Uv_coordinates& border_uv : spread_borders(patch, 4))
-    CHECK(map_for(border_uv, nullptr).report.objective > 0);
+    CHECK(map_for(border_uv, nullptr, std::numeric_limits<double>::infinity()).report.objective > 0);
 }
 
 TEST_CASE("a developable strip is mapped without stretch onto its rectangle")

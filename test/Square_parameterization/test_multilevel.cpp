@@ -133,12 +133,34 @@ TEST_CASE("a map carried over to its own border is itself, and to another border
 {
   for(const Patch& patch : patches()) {
     const Uv_coordinates uv = some_map(patch);
-    CHECK((transport_map(patch, uv, border_of(patch, 1)) - uv).cwiseAbs().maxCoeff() < 1e-10);
-    const Uv_coordinates other = transport_map(patch, uv, border_of(patch, 3));
+    const Map_transport transport(patch);
+    Map_transport::Workspace workspace;
+    CHECK((transport(uv, border_of(patch, 1), workspace) - uv).cwiseAbs().maxCoeff() < 1e-10);
+    const Uv_coordinates other = transport(uv, border_of(patch, 3), workspace);
     REQUIRE(other.rows() == uv.rows());
     CHECK(number_of_flipped_faces(patch.triangles, other) == 0);
     for(std::size_t k = 0; k < patch.border.size(); ++k)
       CHECK(other.row(patch.border[k]) == border_of(patch, 3).row(k));
+  }
+}
+
+TEST_CASE("a border of a map that is shifted to its own corners is itself, and to others keeps its order on the sides")
+{
+  for(const Patch& patch : patches()) {
+    const Uv_coordinates uv = some_map(patch);
+    const Uv_coordinates own = shift_border(patch, uv, border_of(patch, 1));
+    const Uv_coordinates aim = border_of(patch, 3), other = shift_border(patch, uv, aim);
+    const int n = static_cast<int>(patch.border.size());
+    double way = 0;
+    for(int k = 0; k < n; ++k) {
+      CHECK((own.row(k) - uv.row(patch.border[k])).norm() < 1e-15);
+      CHECK(is_on_unit_square(other.row(k)));
+      const double step = way_round_square(other.row((k + 1) % n)) - way_round_square(other.row(k));
+      way += step < 0 ? step + 4 : step;
+      if(way_round_square(aim.row(k)) == std::floor(way_round_square(aim.row(k))))
+        CHECK(other.row(k) == aim.row(k)); // corners
+    }
+    CHECK(std::abs(way - 4) < 1e-12); // one round
   }
 }
 

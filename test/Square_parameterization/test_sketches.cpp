@@ -69,11 +69,12 @@ TEST_CASE("sketches of large patches tell their borders apart as their maps do")
   for(const Patch& patch : large_patches()) {
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
     REQUIRE(minimizer->has_sketches());
-    const auto map_for = minimizer->make_worker(), sketch_for = minimizer->make_sketching_worker();
+    const auto map_for = minimizer->make_worker();
+    const auto sketch_for = minimizer->make_sketching_worker();
     Stretch_curve energies, sketched;
     for(const Uv_coordinates& border_uv : spread_borders(patch, 6)) {
       energies.push_back(map_for(border_uv, nullptr).report.objective);
-      const Minimized_map sketch = sketch_for(border_uv, nullptr);
+      const Minimized_map sketch = sketch_for(border_uv, nullptr, std::numeric_limits<double>::infinity());
       CHECK(sketch.uv.rows() == 0);
       sketched.push_back(sketch.report.objective);
     }
@@ -84,6 +85,29 @@ TEST_CASE("sketches of large patches tell their borders apart as their maps do")
           CHECK(sketched[i] < sketched[j]);
     const auto spread = std::minmax_element(energies.begin(), energies.end());
     CHECK(*spread.second > 1.02 * *spread.first); // there is something to tell apart
+  }
+}
+
+TEST_CASE("sketches that start from that of a neighbor are as low, and given up only where they stay above the limit, "
+          "within a percent")
+{
+  for(const Patch& patch : large_patches()) {
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    const auto sketch_for = minimizer->make_sketching_worker();
+    const std::vector<Uv_coordinates> borders = spread_borders(patch, static_cast<int>(patch.border.size()) / 4);
+    const double none = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i + 4 < borders.size(); i += 8) {
+      const Minimized_map first = sketch_for(borders[i], nullptr, none);
+      REQUIRE(first.warm_start.rows() > 0);
+      for(std::size_t j : {i, i + 1, i + 4}) {
+        const double cold = sketch_for(borders[j], nullptr, none).report.objective;
+        const double warm = sketch_for(borders[j], &first.warm_start, none).report.objective;
+        CHECK(std::abs(warm - cold) < 1e-3 * cold);
+        for(double limit : {0.9 * warm, 0.99 * warm, 0.999 * warm})
+          CHECK(sketch_for(borders[j], &first.warm_start, limit).report.objective >= limit);
+        CHECK(sketch_for(borders[j], &first.warm_start, 1.01 * warm).report.objective < 1.01 * warm);
+      }
+    }
   }
 }
 
@@ -99,7 +123,7 @@ TEST_CASE("no sketch of a plate of many holes is lost on the way from coarse to 
     const auto sketch_for = minimizer->make_sketching_worker();
     Stretch_curve energies;
     for(const Uv_coordinates& border_uv : spread_borders(patch, 8))
-      energies.push_back(sketch_for(border_uv, nullptr).report.objective);
+      energies.push_back(sketch_for(border_uv, nullptr, std::numeric_limits<double>::infinity()).report.objective);
     const auto spread = std::minmax_element(energies.begin(), energies.end());
     CHECK(*spread.second < 1.5 * *spread.first);
   }

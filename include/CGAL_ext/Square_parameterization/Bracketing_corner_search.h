@@ -126,14 +126,14 @@ private:
   /// such mesh or it has no map
   static std::optional<int> best_sketch(const Corner_search_problem& problem)
   {
-    constexpr int FIRST_SAMPLES = 8, SAMPLES = 32;
+    constexpr int FIRST_SAMPLES = 4, SAMPLES = 32;
     if(!problem.sketched_objective_of)
       return {};
     internal::Candidate_ring ring(problem);
     ring.compare_sketches();
-    ring.evaluate(ring.even_candidates(FIRST_SAMPLES));
-    if(!has_cost_too_much(problem))
-      ring.evaluate(ring.even_candidates(SAMPLES));
+    for(int samples = FIRST_SAMPLES; samples <= SAMPLES; samples *= 2) // each from one of those before
+      if(ring.number_of_known() == 0 || !has_cost_too_much(problem))
+        ring.evaluate(ring.even_candidates(samples));
     if(!std::isfinite(ring.objective(ring.best())))
       return {};
     for(std::set<int> finer; !has_cost_too_much(problem) && !(finer = samples_around_best(ring, SAMPLES)).empty();)

@@ -134,6 +134,13 @@ struct Minimizer_numbers
   /// directions that are tried to go round triangles: vertices that stay make others stand in the way
   static constexpr int MAXIMUM_ROUNDABOUTS = 4;
 
+  /// how many times what a step promises a minimization may still gain. Less: borders are given up for others that are
+  /// no better; more: what is clear is minimised further.
+  static constexpr double MOST_PROMISES = 3;
+
+  /// sweeps over a map that was carried over to a similar border, at most: its errors are at the border, and large
+  static constexpr int SWEEPS_OF_TRANSPORTED = 2;
+
   /// cost of a step, as a multiple of that of a sweep; measured
   static constexpr long STEP_WORK = 4;
 
@@ -167,6 +174,10 @@ struct Minimizer_numbers
 
   /// vertices of the patch on which corners are moved, at most: hundreds of maps are compared there
   static constexpr int LARGEST_ROUGH = 300;
+
+  /// interior vertices, at most, of one that has up to twice as many vertices, most of them on the border: with a few
+  /// dozen inside, maps of such a patch compare corners otherwise than those of all finer ones
+  static constexpr int LARGEST_ROUGH_INTERIOR = 200;
 
   /// vertices from which on a patch is sketched: below, maps cost little more than sketches
   static constexpr int SMALLEST_SKETCHED = 8000;

@@ -45,6 +45,13 @@ public:
   /// writes the equations for the factors \p s (#V) and the border \p border_uv (#B by 2)
   void assemble(const std::vector<double>& s, const Uv_coordinates& border_uv, Equations& equations) const
   {
+    assemble(m_weights, s, border_uv, equations);
+  }
+
+  /// the same with other base weights. \pre they are symmetric where the own ones are
+  void assemble(const Edge_weights& weights, const std::vector<double>& s, const Uv_coordinates& border_uv,
+                Equations& equations) const
+  {
     if(equations.matrix.nonZeros() == 0)
       equations.matrix = m_pattern;
     double* const values = equations.matrix.valuePtr();
@@ -53,8 +60,8 @@ public:
     for(std::size_t e = 0; e < m_patch.edges.size(); ++e) {
       const auto& [a, b] = m_patch.edges[e];
       const double scale_a = is_symmetric() ? s[a] : 1, scale_b = is_symmetric() ? s[b] : 1;
-      add_neighbor(a, b, scale_a * m_weights.values[e][0] * s[b], m_slots[e][0], border_uv, equations);
-      add_neighbor(b, a, scale_b * m_weights.values[e][1] * s[a], m_slots[e][1], border_uv, equations);
+      add_neighbor(a, b, scale_a * weights.values[e][0] * s[b], m_slots[e][0], border_uv, equations);
+      add_neighbor(b, a, scale_b * weights.values[e][1] * s[a], m_slots[e][1], border_uv, equations);
     }
   }
 

@@ -89,13 +89,14 @@ public:
 
   /// sweeps over a map until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
   /// cost, in vertices visited.
-  long relax(Uv_coordinates& given_uv) const
+  /// \param most the largest number of sweeps
+  long relax(Uv_coordinates& given_uv, int most = Minimizer_numbers::MAXIMUM_SWEEPS) const
   {
     Uv_coordinates uv = in_order(std::move(given_uv));
     const Free_coordinates is_free = free_coordinates(m_patch, uv, is_border_sliding());
     double energy = m_energy(uv);
     int sweeps = 0;
-    for(bool gains = true; gains && sweeps < Minimizer_numbers::MAXIMUM_SWEEPS; ++sweeps) {
+    for(bool gains = true; gains && sweeps < most; ++sweeps) {
       m_sweep(is_free, m_energy.scale(uv), uv);
       const double reached = m_energy(uv);
       gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
@@ -113,10 +114,12 @@ public:
 
   /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less
   /// \param maximum_iterations largest number of steps, with those that the map has behind it
+  /// \param limit ends, too, as soon as the energy will stay above it by all that steps promise; the objective is what
+  ///        it would come to then, and not below the limit
   /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
   ///      iterations and its history, too
-  Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations,
-                         Workspace& workspace) const
+  Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations, Workspace& workspace,
+                         double limit = std::numeric_limits<double>::infinity()) const
   {
     map.uv = in_order(std::move(map.uv));
     const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
@@ -143,6 +146,11 @@ public:
       double slope = find_direction(memory, workspace);
       if(-slope / 2 <= tolerance * report.objective || gains_little(report.history, tolerance)) {
         report.stop_reason = Stop_reason::CONVERGED;
+        break;
+      }
+      if(report.iterations > first_iteration && stays_above(limit, report.history, slope)) {
+        report.stop_reason = Stop_reason::CONVERGED;
+        report.objective = (std::max)(report.objective + slope / 2, limit);
         break;
       }
       double feasible = largest_step(m_patch, map.uv, workspace.direction);
@@ -230,6 +238,13 @@ private:
   {
     constexpr std::size_t STEPS = Minimizer_numbers::STEPS_COMPARED;
     return history.size() > STEPS && history[history.size() - 1 - STEPS] - history.back() <= tolerance * history.back();
+  }
+
+  /// tells whether the energy will not fall to the limit, by what the next step promises and the last one gained
+  static bool stays_above(double limit, const std::vector<double>& history, double slope)
+  {
+    const double last_gain = history[history.size() - 2] - history.back();
+    return history.back() - (std::max)(Minimizer_numbers::MOST_PROMISES * -slope / 2, last_gain) > limit;
   }
 
   double gradient_at(const Uv_coordinates& uv, const Free_coordinates& is_free, Uv_coordinates& gradient) const

@@ -43,11 +43,11 @@ public:
 
   bool has_sketches() const override { return m_minimizer.has_sketches(); }
 
-  Worker make_sketching_worker() const override { return sketching_worker(m_minimizer.sketch_level()); }
+  Comparing_worker make_sketching_worker() const override { return comparing_worker(m_minimizer.sketch_level()); }
 
   bool has_rough_maps() const override { return true; }
 
-  Worker make_rough_worker() const override { return sketching_worker(m_minimizer.rough_level()); }
+  Comparing_worker make_rough_worker() const override { return comparing_worker(m_minimizer.rough_level()); }
 
   Minimized_map finish(Minimized_map map) const override
   {
@@ -70,12 +70,13 @@ public:
   }
 
 private:
-  Worker sketching_worker(std::size_t level) const
+  Comparing_worker comparing_worker(std::size_t level) const
   {
     return [this, level, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](
-               const Uv_coordinates& border_uv, const Uv_coordinates*) {
-      return has_chord_on_a_side(m_patch, border_uv) ? Minimized_map()
-                                                     : m_minimizer.sketch(level, border_uv, *workspace);
+               const Uv_coordinates& border_uv, const Uv_coordinates* warm_start, double limit) {
+      return has_chord_on_a_side(m_patch, border_uv)
+                 ? Minimized_map()
+                 : m_minimizer.sketch(level, border_uv, *workspace, warm_start, limit);
     };
   }
 

@@ -37,8 +37,8 @@ public:
 
   bool has_sketches() const override { return false; }
 
-  Worker make_sketching_worker() const override { return {}; }
-  Worker make_rough_worker() const override { return {}; }
+  Comparing_worker make_sketching_worker() const override { return {}; }
+  Comparing_worker make_rough_worker() const override { return {}; }
   bool has_rough_maps() const override { return false; }
 
   /// a map of a worker is ready

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -23,6 +24,20 @@ public:
   /// exact arithmetic. A minimizer may start from the warm start of a map for a similar border; null for none.
   typedef std::function<Minimized_map(const Uv_coordinates& border_uv, const Uv_coordinates* warm_start)> Worker;
 
+  /// maps a coarse patch for one border, without uv, so that borders can be compared: from the warm start of a map of the
+  /// same patch, which may be null, and no further than is needed to see that the objective stays above the limit. Such
+  /// an objective is about what it would come to.
+  typedef std::function<Minimized_map(const Uv_coordinates& border_uv, const Uv_coordinates* warm_start, double limit)>
+      Comparing_worker;
+
+  /// a worker that compares by maps, which go on above any limit
+  static Comparing_worker without_limit(Worker map_for)
+  {
+    return [map_for = std::move(map_for)](const Uv_coordinates& border_uv, const Uv_coordinates* warm_start, double) {
+      return map_for(border_uv, warm_start);
+    };
+  }
+
   virtual ~Map_minimizer() = default;
 
   /// makes the worker of a thread; it refers to the minimizer
@@ -33,11 +48,11 @@ public:
 
   /// a worker that makes maps of a coarse patch, without uv, whose objectives are comparable among themselves.
   /// \pre `has_sketches()`
-  virtual Worker make_sketching_worker() const = 0;
+  virtual Comparing_worker make_sketching_worker() const = 0;
 
   /// the same on a patch so small that a map costs little, which may be the patch itself: to compare hundreds of borders.
   /// \pre `has_rough_maps()`
-  virtual Worker make_rough_worker() const = 0;
+  virtual Comparing_worker make_rough_worker() const = 0;
 
   /// indicates whether the minimizer has coarse patches
   virtual bool has_rough_maps() const = 0;

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MULTILEVEL_MINIMIZER_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MULTILEVEL_MINIMIZER_H
 
+#include <CGAL_ext/Square_parameterization/internal/border/shift_border.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_sequence.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
@@ -45,6 +46,7 @@ public:
   {
     std::deque<Stretch_iteration::Workspace> starts;  // they cannot be moved
     std::deque<Balanced_minimizer::Workspace> levels; // nor these
+    std::vector<Map_transport::Workspace> transports;
   };
 
   /// \param may_coarsen_border false for maps onto other borders than the unit square, too
@@ -71,14 +73,18 @@ public:
       if(is_large(level))
         m_minimizers[level]->set_coarser(m_patches.coarse(level + 1), *m_minimizers[level + 1]);
     });
+    m_transports.resize(m_patches.size());
+    for(std::size_t level : {m_warm_level, m_sketch_level, m_rough_level})
+      if(!m_transports[level])
+        m_transports[level] = std::make_unique<Map_transport>(m_patches[level]);
   }
 
   /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
   /// flips was found to start from: for want of room, too, where the corners are close together and `keeps_border()` is
   /// false.
   /// \pre the border is on the unit square, or `keeps_border()`
-  /// \param warm_start of a map for a similar border, the map of one of the coarse patches; it saves the coarser ones.
-  ///        May be null.
+  /// \param warm_start of a map or a sketch for a similar border, the map of one of the coarse patches; it saves the
+  ///        coarser ones. May be null.
   Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
                          const Uv_coordinates* warm_start = nullptr) const
   {
@@ -86,9 +92,10 @@ public:
     Descent descent;
     prepare(workspace);
     const Patch_sequence::Borders borders = m_patches.borders(border_uv);
-    if(warm_start != nullptr && m_warm_level < borders.size())
-      uv = refine(m_warm_level, 0, transport_map(m_patches[m_warm_level], *warm_start, borders[m_warm_level].uv),
-                  borders, workspace, descent);
+    if(const std::optional<std::size_t> level = warm_start != nullptr ? level_of(*warm_start) : std::nullopt;
+       level && *level < borders.size())
+      uv =
+          refine(*level, 0, transport(*level, *warm_start, borders[*level].uv, workspace), borders, workspace, descent);
     if(uv.rows() == 0)
       uv = start(borders, 0, workspace, descent);
     if(uv.rows() == 0 && m_patches.size() > 1 && !has_passed(m_deadline)) { // some coarse triangle was lost in rounding
@@ -122,14 +129,26 @@ public:
 
   /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
   /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
-  Minimized_map sketch(std::size_t level, const Uv_coordinates& border_uv, Workspace& workspace) const
+  /// \param level the one of sketches or the one of rough maps
+  /// \param warm_start of a sketch of the same level for a similar border; may be null
+  /// \param limit an energy above it is found less exactly
+  Minimized_map sketch(std::size_t level, const Uv_coordinates& border_uv, Workspace& workspace,
+                       const Uv_coordinates* warm_start = nullptr,
+                       double limit = std::numeric_limits<double>::infinity()) const
   {
-    Descent descent;
     prepare(workspace);
-    Uv_coordinates uv = start(m_patches.borders(border_uv), level, workspace, descent);
-    if(uv.rows() == 0)
-      return Minimized_map();
-    Minimized_map map = map_to_compare(level, std::move(uv), workspace, descent);
+    const Patch_sequence::Borders borders = m_patches.borders(border_uv);
+    Minimized_map map;
+    if(warm_start != nullptr && level < borders.size())
+      map = sketch_from(level, *warm_start, limit, borders[level].uv, workspace);
+    if(map.uv.rows() == 0) {
+      Descent descent;
+      Uv_coordinates uv = start(borders, level, workspace, descent);
+      if(uv.rows() == 0)
+        return Minimized_map();
+      map = map_to_compare(level, std::move(uv), workspace, descent);
+    }
+    map.warm_start = std::move(map.uv);
     map.uv.resize(0, 2);
     return map;
   }
@@ -176,6 +195,50 @@ private:
     long work = 0;                   ///< in vertices visited
   };
 
+  /// without uv when the map cannot be carried over
+  Minimized_map sketch_from(std::size_t level, const Uv_coordinates& warm_start, double limit,
+                            const Uv_coordinates& border_uv, Workspace& workspace) const
+  {
+    Uv_coordinates uv = transport(level, warm_start, border_uv, workspace);
+    if(uv.rows() == 0)
+      return Minimized_map();
+    const Balanced_minimizer& minimizer = *m_minimizers[level];
+    const long relaxation = minimizer.relax(uv, Minimizer_numbers::SWEEPS_OF_TRANSPORTED);
+    Minimized_map map = minimizer.minimize({std::move(uv), {}, {}}, m_options.search_tolerance,
+                                           Minimizer_numbers::SEARCH_ITERATIONS, workspace.levels[level], limit);
+    map.work += relaxation;
+    return map;
+  }
+
+  /// the level of a warm start, of which its size tells: each patch is smaller than the one before it
+  std::optional<std::size_t> level_of(const Uv_coordinates& warm_start) const
+  {
+    for(const std::size_t level : {m_warm_level, m_sketch_level, m_rough_level})
+      if(m_patches[level].number_of_vertices() == warm_start.rows())
+        return level;
+    return std::nullopt;
+  }
+
+  /// the map of the patch of one level for another border; without rows when rounding flips a triangle
+  Uv_coordinates transport(std::size_t level, const Uv_coordinates& uv, const Uv_coordinates& border_uv,
+                           Workspace& workspace) const
+  {
+    const Patch& patch = m_patches[level];
+    const bool slides = m_options.border == Border_motion::SLIDING;
+    const Uv_coordinates shifted = slides ? shift_border(patch, uv, border_uv) : border_uv;
+    if(is_border_of(patch, shifted, uv))
+      return uv;
+    return (*m_transports[level])(uv, shifted, workspace.transports[level]);
+  }
+
+  static bool is_border_of(const Patch& patch, const Uv_coordinates& border_uv, const Uv_coordinates& uv)
+  {
+    for(std::size_t k = 0; k < patch.border.size(); ++k)
+      if(border_uv.row(k) != uv.row(patch.border[k]))
+        return false;
+    return true;
+  }
+
   /// makes the patches, from fine to coarse
   void make_patches(Coarse_patch_stream& stream)
   {
@@ -189,7 +252,7 @@ private:
     coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT}, stream);
     m_warm_level = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
     m_sketch_level = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
-    m_rough_level = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
+    m_rough_level = finest_rough_level();
     coarsen({std::nullopt}, stream);
   }
 
@@ -201,6 +264,19 @@ private:
     if(m_starts.empty() || m_starts.back().level < coarsest)
       m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], m_options.start,
                                                                         make_direct_solver, m_deadline)});
+  }
+
+  /// the finest patch that is small, or not much larger and half border; the coarsest when all are large
+  std::size_t finest_rough_level() const
+  {
+    const std::size_t small = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
+    std::size_t level = m_patches.finest_with(2 * Minimizer_numbers::LARGEST_ROUGH);
+    const auto interior = [this](std::size_t i) {
+      return m_patches[i].number_of_vertices() - static_cast<int>(m_patches[i].border.size());
+    };
+    while(level < small && interior(level) > Minimizer_numbers::LARGEST_ROUGH_INTERIOR)
+      ++level;
+    return level;
   }
 
   bool is_large(std::size_t level) const
@@ -217,6 +293,7 @@ private:
       memory.coarser = level + 1 < m_minimizers.size() ? &workspace.levels[level + 1].preconditioner : nullptr;
     }
     workspace.starts.resize(m_starts.size());
+    workspace.transports.resize(m_minimizers.size());
   }
 
   /// a map of the patch of level \p to, from the first start that works well, or else goes on with the best of those
@@ -304,6 +381,7 @@ private:
 
   Patch_sequence m_patches;
   std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
+  std::vector<std::unique_ptr<Map_transport>> m_transports;      // of the patches whose maps others start from
   std::vector<Start> m_starts; // from the coarsest that keeps its shape, and from the coarsest
   Balanced_minimization m_options;
   Deadline m_deadline;

@@ -33,8 +33,8 @@ public:
 
   Worker make_worker() const override { return m_fixed->make_worker(); }
   bool has_sketches() const override { return m_fixed->has_sketches(); }
-  Worker make_sketching_worker() const override { return m_fixed->make_sketching_worker(); }
-  Worker make_rough_worker() const override { return m_fixed->make_rough_worker(); }
+  Comparing_worker make_sketching_worker() const override { return m_fixed->make_sketching_worker(); }
+  Comparing_worker make_rough_worker() const override { return m_fixed->make_rough_worker(); }
   bool has_rough_maps() const override { return m_fixed->has_rough_maps(); }
   Minimized_map finish(Minimized_map map) const override { return m_sliding->finish(m_fixed->finish(std::move(map))); }
   Minimized_map map_border(const Uv_coordinates& border_uv) const override { return m_fixed->map_border(border_uv); }

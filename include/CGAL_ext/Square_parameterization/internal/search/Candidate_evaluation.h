@@ -116,6 +116,16 @@ public:
     return result;
   }
 
+  /// what a map for this candidate, or one like it, may start from; null when it was not kept
+  const Uv_coordinates* warm_start(int candidate) const
+  {
+    const auto known = m_warm_starts.find(candidate);
+    return known == m_warm_starts.end() ? nullptr : &known->second;
+  }
+
+  /// keeps what a map for this candidate, or one like it, is to start from
+  void set_warm_start(int candidate, Uv_coordinates warm_start) { m_warm_starts[candidate] = std::move(warm_start); }
+
   /// what all maps together have cost, in vertices visited
   long work() const { return m_work; }
 

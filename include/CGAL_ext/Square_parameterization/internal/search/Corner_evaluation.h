@@ -11,8 +11,12 @@
 #include <CGAL_ext/Square_parameterization/internal/search/Worker_pool.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <limits>
+#include <map>
 #include <mutex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,6 +24,18 @@
 
 namespace CGAL_ext {
 namespace internal {
+
+/// four corners and what they are worth
+struct Corner_choice
+{
+  Corners corners;
+  double objective;
+
+  bool operator<(const Corner_choice& other) const
+  {
+    return std::tie(objective, corners) < std::tie(other.objective, other.corners);
+  }
+};
 
 /// maps a patch for choices of four corners, concurrently, and keeps the best map; the result is the same for any number
 /// of threads
@@ -29,7 +45,7 @@ public:
   /// \param visitor told of each map, by one thread at a time; may be null
   /// \param may_continue asked before each map, by one thread at a time; `false` stops
   /// \param most_at_once maps under way at a time, each with the memory of a worker
-  Corner_evaluation(std::function<Map_minimizer::Worker()> make_worker, const Patch& patch,
+  Corner_evaluation(std::function<Map_minimizer::Comparing_worker()> make_worker, const Patch& patch,
                     unsigned int number_of_threads, Search_visitor* visitor, std::function<bool()> may_continue,
                     std::size_t most_at_once = Thread_team::ANY_NUMBER)
     : m_workers(std::move(make_worker)),
@@ -42,7 +58,11 @@ public:
 
   /// the objectives of choices, which are positions in the border loop, in their order; infinite for one without a map.
   /// Throws `Unmappable` for one that is out of order, and `Search_cancelled` when it is not to continue.
-  std::vector<double> operator()(const std::vector<Corners>& choices)
+  /// \param warm_starts what the maps start from, if they can: one for each choice, which may be null, or none at all
+  /// \param limit objectives above it need only be near
+  std::vector<double> operator()(const std::vector<Corners>& choices,
+                                 const std::vector<const Uv_coordinates*>& warm_starts = {},
+                                 double limit = std::numeric_limits<double>::infinity())
   {
     for(const Corners& corners : choices)
       if(!are_border_positions(corners))
@@ -55,7 +75,7 @@ public:
         choices.size(),
         [&](std::size_t i) {
           if(may_continue())
-            maps[i] = map_for(choices[i]);
+            maps[i] = map_for(choices[i], warm_starts.empty() ? nullptr : warm_starts[i], limit);
         },
         m_most_at_once);
     if(m_is_cancelled)
@@ -63,6 +83,7 @@ public:
     std::vector<double> objectives;
     for(std::size_t i = 0; i < choices.size(); ++i) {
       m_work += maps[i].work;
+      m_warm_starts[choices[i]] = std::move(maps[i].warm_start);
       objectives.push_back(maps[i].report.objective);
       if(objectives.back() < m_best_map.report.objective) {
         m_best_map = std::move(maps[i]);
@@ -81,6 +102,13 @@ public:
   /// what all maps together have cost, in vertices visited
   long work() const { return m_work; }
 
+  /// what maps for corners like these may start from; null when these were not mapped
+  const Uv_coordinates* warm_start(const Corners& corners) const
+  {
+    const auto known = m_warm_starts.find(corners);
+    return known == m_warm_starts.end() || known->second.rows() == 0 ? nullptr : &known->second;
+  }
+
   const Minimized_map& best_map() const { return m_best_map; }
   const Corners& best_corners() const { return m_best_corners; }
 
@@ -98,17 +126,18 @@ private:
     return !m_is_cancelled;
   }
 
-  Minimized_map map_for(const Corners& corners)
+  Minimized_map map_for(const Corners& corners, const Uv_coordinates* warm_start, double limit)
   {
     const Square_border border = square_border(m_loop, corners);
-    Minimized_map map = m_workers.lend([&](const Map_minimizer::Worker& worker) { return worker(border.uv, nullptr); });
+    Minimized_map map = m_workers.lend(
+        [&](const Map_minimizer::Comparing_worker& worker) { return worker(border.uv, warm_start, limit); });
     const std::lock_guard<std::mutex> lock(m_mutex);
     if(m_visitor != nullptr)
       m_visitor->after_corner_move();
     return map;
   }
 
-  Worker_pool<Map_minimizer::Worker> m_workers;
+  Worker_pool<Map_minimizer::Comparing_worker> m_workers;
   const Border_walk m_loop;
   Thread_team m_team;
   std::size_t m_most_at_once;
@@ -118,6 +147,7 @@ private:
   bool m_is_cancelled = false;
   std::size_t m_number_of_choices = 0;
   long m_work = 0;
+  std::map<Corners, Uv_coordinates> m_warm_starts;
   Minimized_map m_best_map;
   Corners m_best_corners{};
 };

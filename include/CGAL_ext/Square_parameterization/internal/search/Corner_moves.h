@@ -4,8 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H
 
-#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/border/corners_at_shares.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 
 #include <algorithm>
 #include <array>
@@ -33,20 +33,11 @@ namespace internal {
 class Corner_moves
 {
 public:
-  /// the objectives of choices of corners, in their order; infinite for one without a map
-  typedef std::function<std::vector<double>(const std::vector<Corners>&)> Objective_of;
+  typedef Corner_choice Choice;
 
-  /// four corners and what they are worth
-  struct Choice
-  {
-    Corners corners;
-    double objective;
-
-    bool operator<(const Choice& other) const
-    {
-      return std::tie(objective, corners) < std::tie(other.objective, other.corners);
-    }
-  };
+  /// the objectives of choices of corners, in their order; infinite for one without a map. They are moved from the
+  /// choice, if it is not null: objectives that are larger than its one need only be near.
+  typedef std::function<std::vector<double>(const std::vector<Corners>&, const Choice* near)> Objective_of;
 
   /// \param lengths #B, edge k joins border vertices k and k + 1
   /// \param is_exhausted asked before each step: `true` leaves the corners where they are. May be empty.
@@ -58,14 +49,15 @@ public:
   std::size_t evaluations() const { return m_known.size(); }
 
   /// evaluates choices, and returns them from the best to the worst
-  std::vector<Choice> compare(const std::vector<Corners>& corners)
+  /// \param near what they are moved from; may be null
+  std::vector<Choice> compare(const std::vector<Corners>& corners, const Choice* near = nullptr)
   {
     const std::set<Corners> distinct(corners.begin(), corners.end());
     std::vector<Corners> unknown;
     for(const Corners& choice : distinct)
       if(m_known.count(choice) == 0)
         unknown.push_back(choice);
-    const std::vector<double> objectives = m_objective_of(unknown);
+    const std::vector<double> objectives = m_objective_of(unknown, near);
     for(std::size_t i = 0; i < unknown.size(); ++i)
       m_known[unknown[i]] = objectives[i];
     std::vector<Choice> choices;
@@ -90,7 +82,7 @@ public:
     Choice best = compare({corners}).front();
     std::vector<Move> moves = all_moves();
     for(int step = (std::max)(1, first_step); step > 0 && !(m_is_exhausted && m_is_exhausted());) {
-      const std::vector<Choice> choices = compare(moved(best.corners, moves, step));
+      const std::vector<Choice> choices = compare(moved(best.corners, moves, step), &best);
       if(!choices.empty() && choices.front().objective < best.objective) {
         best = choices.front();
         moves = all_moves();
@@ -101,6 +93,25 @@ public:
       step /= 2;
       if(step == 1)
         moves = all_moves();
+    }
+    return best;
+  }
+
+  /// moves corners downhill, but only where another, rougher objective does not rise much
+  Choice descend_where_likely(const Corners& corners, int first_step, Corner_moves& rough)
+  {
+    Choice best = compare({corners}).front();
+    for(int step = (std::max)(1, first_step); step > 0 && !(m_is_exhausted && m_is_exhausted());) {
+      const Choice start = rough.compare({best.corners}).front();
+      std::vector<Corners> likely;
+      for(const Choice& choice : rough.compare(moved(best.corners, all_moves(), step), &start))
+        if(choice.objective < (1 + LIKELY_RISE) * start.objective)
+          likely.push_back(choice.corners);
+      const std::vector<Choice> choices = compare(likely, &best);
+      if(!choices.empty() && choices.front().objective < best.objective)
+        best = choices.front();
+      else
+        step /= 2;
     }
     return best;
   }
@@ -180,6 +191,8 @@ private:
   }
 
   static constexpr double LEAST_OFFSET = 0.2; // of a lowest point, in steps: half a step of the next ones, nearly
+
+  static constexpr double LIKELY_RISE = 5e-4; // of a rougher objective, relative
 
   std::vector<double> m_lengths;
   Objective_of m_objective_of;

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_FREE_CORNERS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_FREE_CORNERS_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
 #include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
@@ -31,10 +32,13 @@ public:
   Free_corners(const Patch& patch, const Map_minimizer& minimizer, unsigned int number_of_threads,
                Search_visitor* visitor, const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
     : m_patch(patch),
-      m_maps([&minimizer] { return minimizer.make_worker(); }, patch, number_of_threads, visitor, may_map,
-             most_maps_at_once(patch.number_of_vertices()))
+      m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, number_of_threads,
+             visitor, may_map, most_maps_at_once(patch.number_of_vertices()))
   {
-    if(minimizer.has_sketches())
+    // sketches tell corners apart better than rough maps, also where they save too little to compare all candidates
+    const int n = patch.number_of_vertices();
+    const bool is_between = n > Minimizer_numbers::LARGEST_SKETCH && n < Minimizer_numbers::SMALLEST_SKETCHED;
+    if(minimizer.has_sketches() || (minimizer.has_rough_maps() && is_between))
       m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,
                          may_compare);
     if(minimizer.has_rough_maps())
@@ -68,13 +72,20 @@ public:
   }
 
   /// moves the four corners on rough maps, from the given ones and, where the rectangle is not the square, from others,
-  /// and maps for what comes out. False when the given ones may still be better.
-  bool move(const Corners& start)
+  /// then on sketches, if there are some, and maps for what comes out. False when the given ones may still be better.
+  /// \param sketch of the given ones; may be null
+  bool move(const Corners& start, const Uv_coordinates* sketch)
   {
     try {
-      std::vector<Corners> ends = ends_of_moves(start);
-      const bool is_certain = m_sketches && keep_best_sketch(start, ends);
-      m_maps(ends);
+      double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
+      Corner_moves moves(m_patch.border_lengths, objective_of(*m_rough_maps, nullptr),
+                         [this, &most_work] { return double(m_rough_maps->work()) > most_work; });
+      moves.compare({start});
+      const bool is_square = m_rough_maps->best_map().aspect == 1;
+      most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
+      std::vector<Corners> ends = ends_of_moves(start, is_square, moves);
+      const bool is_certain = m_sketches && keep_best_sketch(start, sketch, most_work, moves, ends);
+      map_ends(ends);
       return is_certain && best_map().uv.rows() > 0;
     } catch(const Search_cancelled&) {
       m_is_cancelled = true;
@@ -83,21 +94,27 @@ public:
   }
 
 private:
-  static constexpr double CERTAIN = 1e-3; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
+  static constexpr double CERTAIN = 4e-4; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
+
+  /// the objectives of moves: maps start from that of the choice that is moved, or from \p first, which may be null. On
+  /// rectangles that differ in their aspect maps come down slowly, and are not given up before.
+  static Corner_moves::Objective_of objective_of(Corner_evaluation& maps, const Uv_coordinates* first)
+  {
+    return [&maps, first](const std::vector<Corners>& choices, const Corner_choice* near) {
+      if(near == nullptr)
+        return maps(choices, {choices.size(), first});
+      const bool is_square = maps.best_map().aspect == 1;
+      return maps(choices, {choices.size(), maps.warm_start(near->corners)},
+                  is_square ? near->objective : std::numeric_limits<double>::infinity());
+    };
+  }
 
   /// where the corners come to rest, but for the start itself
-  std::vector<Corners> ends_of_moves(const Corners& start)
+  std::vector<Corners> ends_of_moves(const Corners& start, bool is_square, Corner_moves& moves) const
   {
-    double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
-    Corner_moves moves(
-        m_patch.border_lengths, [this](const auto& choices) { return map_roughly(choices); },
-        [this, &most_work] { return double(m_rough_maps->work()) > most_work; });
-    moves.compare({start});
-    const bool is_square = m_rough_maps->best_map().aspect == 1;
-    most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
     std::vector<Corners> starts{start};
     if(!is_square)
-      for(const Corner_moves::Choice& choice : moves.best_of_spread())
+      for(const Corner_choice& choice : moves.best_of_spread())
         starts.push_back(choice.corners);
     const int first_step = static_cast<int>(m_patch.border.size()) / 8;
     std::set<Corners> ends;
@@ -107,18 +124,31 @@ private:
     return {ends.begin(), ends.end()};
   }
 
-  /// keeps the choice with the best sketch, if that is better than the one of the start, and tells whether it is better
-  /// for certain
-  bool keep_best_sketch(const Corners& start, std::vector<Corners>& choices)
+  /// keeps the choice with the best sketch, moved to where the sketch is best, if that is better than the one of the
+  /// start, and tells whether it is better for certain
+  bool keep_best_sketch(const Corners& start, const Uv_coordinates* sketch, double most_work, Corner_moves& rough,
+                        std::vector<Corners>& ends)
   {
-    choices.push_back(start);
-    const std::vector<double> sketched = (*m_sketches)(choices);
-    const auto least = std::min_element(sketched.begin(), sketched.end());
-    const Corners best = choices[least - sketched.begin()];
-    choices.clear();
-    if(best != start)
-      choices.push_back(best);
-    return *least < (1 - CERTAIN) * sketched.back();
+    Corner_moves moves(m_patch.border_lengths, objective_of(*m_sketches, sketch),
+                       [this, most_work] { return double(m_sketches->work()) > most_work; });
+    const Corner_choice first = moves.compare({start}).front();
+    ends.push_back(start);
+    const int step = static_cast<int>(m_patch.border.size()) / 32;
+    const Corner_choice best = moves.descend_where_likely(moves.compare(ends).front().corners, step, rough);
+    ends.clear();
+    if(best.corners != start)
+      ends.push_back(best.corners);
+    return best.objective < (1 - CERTAIN) * first.objective;
+  }
+
+  /// maps from the sketches, or from the rough maps
+  void map_ends(const std::vector<Corners>& ends)
+  {
+    const Corner_evaluation& coarse = m_sketches ? *m_sketches : *m_rough_maps;
+    std::vector<const Uv_coordinates*> warm_starts;
+    for(const Corners& corners : ends)
+      warm_starts.push_back(coarse.warm_start(corners));
+    m_maps(ends, warm_starts);
   }
 
   const Patch& m_patch;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -64,7 +65,7 @@ public:
     m_sketch_visitor.visitor = options.visitor;
     if(minimizer.has_sketches())
       m_sketches.emplace(
-          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_sketching_worker()); },
+          m_number_of_candidates, [this] { return for_candidates(below_limit(m_minimizer.make_sketching_worker())); },
           options.number_of_threads, &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 
@@ -123,7 +124,10 @@ private:
   void map_settled_for()
   {
     try {
-      m_evaluation({*m_settled_for});
+      const Uv_coordinates* const sketch = sketch_of(*m_settled_for);
+      if(sketch != nullptr)
+        m_evaluation.set_warm_start(*m_settled_for, *sketch);
+      m_evaluation({*m_settled_for}, sketch != nullptr);
     } catch(const Search_cancelled&) {
       return; // there is no time left at all, or the callback wants no more
     }
@@ -141,7 +145,14 @@ private:
     if(!m_options.moves_corners || !m_corners.has_rough_maps() || !candidate || report.is_cancelled)
       return false;
     const std::size_t maps = report.evaluations + (m_sketches ? m_sketches->report().evaluations : 0);
-    return work() <= MOST_WORK_TO_MOVE * double(maps) && m_corners.move(border_of(*candidate).corners);
+    return work() <= MOST_WORK_TO_MOVE * double(maps) &&
+           m_corners.move(border_of(*candidate).corners, sketch_of(*candidate));
+  }
+
+  /// null when there is none
+  const Uv_coordinates* sketch_of(int candidate) const
+  {
+    return m_sketches ? m_sketches->warm_start(candidate) : nullptr;
   }
 
   /// of maps and sketches so far, in sweeps over the mesh
@@ -163,6 +174,23 @@ private:
     };
   }
 
+  /// gives up sketches that will not be lower than the best one before the call
+  Map_minimizer::Worker below_limit(Map_minimizer::Comparing_worker sketch_for) const
+  {
+    return
+        [this, sketch_for = std::move(sketch_for)](const Uv_coordinates& border_uv, const Uv_coordinates* warm_start) {
+          return sketch_for(border_uv, warm_start, m_sketch_limit);
+        };
+  }
+
+  /// sketches start from those of their neighbors in earlier calls
+  std::vector<double> sketch(const std::vector<int>& candidates)
+  {
+    constexpr double MARGIN = 5e-3; // by which a sketch may be told to stay above another one that it reaches
+    m_sketch_limit = (1 + MARGIN) * m_sketches->best_map().report.objective;
+    return (*m_sketches)(candidates, true);
+  }
+
   /// what the strategy sees
   Corner_search_problem problem()
   {
@@ -181,7 +209,7 @@ private:
         return m_corners.map_roughly(choices);
       };
     if(m_sketches) {
-      problem.sketched_objective_of = [this](const std::vector<int>& candidates) { return (*m_sketches)(candidates); };
+      problem.sketched_objective_of = [this](const std::vector<int>& candidates) { return sketch(candidates); };
       problem.settle_for = [this](int candidate) {
         check_candidate(candidate, m_number_of_candidates);
         m_settled_for = candidate;
@@ -236,6 +264,7 @@ private:
   Candidate_evaluation m_evaluation;
   Sketch_visitor m_sketch_visitor;
   std::optional<Candidate_evaluation> m_sketches;
+  double m_sketch_limit = std::numeric_limits<double>::infinity();
   Free_corners m_corners;
   std::optional<int> m_settled_for; // a candidate that is known by its sketch alone
 };

@@ -288,7 +288,7 @@ TEST_CASE("a quick score that is not done after its steps gives way to a map fro
   insert_path(surface, shortest_paths(surface, {0}), 1, cut); // across the middle
   const Patch patch = patch_of_cut(surface, cut);
   Cut_score_options options;
-  options.numbers.score_steps = 5;
+  options.numbers.score_steps = 3;
   REQUIRE(quick_start(patch, spread_borders(patch, options.numbers.corner_candidates), options).uv.rows() > 0);
   const double searched = searched_stretch(surface, cut, options.balance);
   const Cut_scoring rough(surface, cut, options);
@@ -348,9 +348,8 @@ TEST_CASE("large surfaces are decided on by a simplified copy of the same topolo
     CHECK(opened_surface(surface, decision.cut).is_disk());
     // the cut of the surface is like the one decided on
     const auto& history = decision.report.history;
-    const auto taken = std::find_if(history.begin(), history.end(), [&decision](const Cut_step& step) {
-      return step.score == decision.report.score;
-    });
+    const auto taken = std::find_if(history.begin(), history.end(),
+                                    [&decision](const Cut_step& step) { return step.score == decision.report.score; });
     REQUIRE(taken != history.end());
     CHECK(decision.report.cut_length == Approx(taken->length).epsilon(0.15));
   }

@@ -39,15 +39,18 @@ Patch large_patch()
   return patch_without_chords(plane(92, 1));
 }
 
-/// a user's search that sketches all candidates before it would map one
+/// a user's search that sketches all candidates before it would map one, and dreams for a second after a few
 struct Sketching_search
 {
   Candidate_set candidate_set() const { return Candidate_set::FULL; }
 
   void operator()(const Corner_search_problem& problem) const
   {
-    for(int candidate = 0; candidate < problem.number_of_candidates; ++candidate)
+    for(int candidate = 0; candidate < problem.number_of_candidates; ++candidate) {
+      if(candidate == 8)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1100));
       sketched.emplace_back(problem.sketched_objective_of({candidate})[0], candidate);
+    }
   }
 
   std::vector<std::pair<double, int>>& sketched;

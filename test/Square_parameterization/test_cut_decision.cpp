@@ -295,7 +295,7 @@ TEST_CASE("a quick score that is not done after its steps gives way to a map fro
   REQUIRE(rough.score().is_slow);
   REQUIRE(rough.score().stretch > 1.3 * searched);
   const Cut_score score = score_cut(surface, cut, options);
-  CHECK(score.stretch < 1.02 * searched);
+  CHECK(score.stretch < 1.05 * searched); // of eight choices of corners, in three steps on each patch
   CHECK(score.vertices > patch.number_of_vertices()); // it has cost more
 }
 

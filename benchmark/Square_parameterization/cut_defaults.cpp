@@ -67,6 +67,7 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"rough_score_tolerance", &Cut_numbers::rough_score_tolerance, 1e-3, 3e-2},
                                         {"scored_well", &Cut_numbers::scored_well, 1, 10},
                                         {"score_tolerance", &Cut_numbers::score_tolerance, 1e-4, 1e-2},
+                                        {"decision_tolerance", &Cut_numbers::decision_tolerance, 1e-5, 1e-3},
                                         {"slow_map_work", &Cut_numbers::slow_map_work, 1, 20},
                                         {"most_roots", &Cut_numbers::most_roots, 3, 24},
                                         {"fewest_roots", &Cut_numbers::fewest_roots, 1, 6},

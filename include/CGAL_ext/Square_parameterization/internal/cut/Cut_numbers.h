@@ -73,6 +73,10 @@ struct Cut_numbers
   /// differences that it decides on.
   double score_tolerance = 1e-3;
 
+  /// the same on the copy of `decision_faces`, where little is left that parts the cuts. Larger: surfaces that stretch
+  /// much are cut at a wrong place by the noise of the scores.
+  double decision_tolerance = 1e-4;
+
   /// times a quick map: what a map from coarse to fine counts for in the work below; measured. More: growth ends
   /// earlier where maps are slow.
   int slow_map_work = 5;

@@ -103,16 +103,19 @@ private:
 
   const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
-  Cut_pool make_pool(const Triangle_surface& surface)
+  /// \param tolerance of the good scores
+  Cut_pool make_pool(const Triangle_surface& surface, double tolerance)
   {
-    return {surface, m_scoring, m_max_cut_length, m_team, m_deadline, m_progress};
+    Cut_score_options scoring = m_scoring;
+    scoring.numbers.score_tolerance = tolerance;
+    return {surface, scoring, m_max_cut_length, m_team, m_deadline, m_progress};
   }
 
   /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, and the best of
   /// them refined
   Cut decide(const Triangle_surface& surface)
   {
-    Cut_pool pool = make_pool(surface);
+    Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
     const std::vector<Cut> cuts = grown_cuts(surface);
     m_progress.begin_part(1, double(numbers().refinement_work));
     pool.start(cuts);
@@ -159,7 +162,7 @@ private:
   /// cuts of different lengths: at each weight growth goes on with the best cut met at all
   std::vector<Cut> grow_family(const Triangle_surface& surface, const std::vector<Cut>& starts)
   {
-    Cut_pool pool = make_pool(surface);
+    Cut_pool pool = make_pool(surface, numbers().score_tolerance);
     pool.start(starts);
     const long most_work = work_of_growth(surface);
     const std::vector<double> weights = weights_of_family(m_weight);

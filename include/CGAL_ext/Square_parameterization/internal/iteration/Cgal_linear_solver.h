@@ -63,6 +63,11 @@ public:
     return solve_with(solver);
   }
 
+  std::unique_ptr<Linear_solver> make_another() const override
+  {
+    return std::make_unique<Cgal_linear_solver>(m_is_upper_triangle, m_given);
+  }
+
 private:
   bool solve_by(SolverTraits& solver, const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const
   {

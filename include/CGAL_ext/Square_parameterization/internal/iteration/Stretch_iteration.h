@@ -43,13 +43,12 @@ public:
   /// \param make_solver makes the solver of the linear systems
   /// \param deadline when it has passed the first map, or the best so far, is taken
   Stretch_iteration(const Patch& patch, const Stretch_minimization& options,
-                    Linear_solver_factory make_solver = make_direct_solver, const Deadline& deadline = {})
+                    const Linear_solver_factory& make_solver = make_direct_solver, const Deadline& deadline = {})
     : m_patch(patch),
       m_system(patch, checked(options.weights(patch), patch)),
-      m_make_solver(std::move(make_solver)),
       m_options(options),
       m_deadline(deadline),
-      m_first_solver(m_make_solver(m_system.is_symmetric()))
+      m_first_solver(make_solver(m_system.is_symmetric()))
   {
     Convex_combination_system::Equations equations;
     const Uv_coordinates any_border = Uv_coordinates::Zero(patch.border.size(), 2);
@@ -125,7 +124,7 @@ private:
       workspace.factors[v] /= std::pow(workspace.sigma[v], eta);
     m_system.assemble(workspace.factors, border_uv, workspace.equations);
     if(!workspace.solver)
-      workspace.solver = m_make_solver(m_system.is_symmetric());
+      workspace.solver = m_first_solver->make_another();
     return factorize(*workspace.solver, workspace.equations) && solve(*workspace.solver, workspace);
   }
 
@@ -145,7 +144,6 @@ private:
 
   const Patch& m_patch;
   Convex_combination_system m_system;
-  Linear_solver_factory m_make_solver;
   Stretch_minimization m_options;
   Deadline m_deadline;
   std::unique_ptr<Linear_solver> m_first_solver;

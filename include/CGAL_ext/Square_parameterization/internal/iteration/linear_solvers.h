@@ -23,12 +23,16 @@ public:
   virtual ~Linear_solver() = default;
   virtual bool factorize(const Sparse_matrix& matrix) = 0;
   virtual bool solve(const Right_hand_sides& right_hand_sides, Right_hand_sides& solution) const = 0;
+
+  /// makes a solver for other matrices of the same pattern, which has what `factorize()` has found about it
+  virtual std::unique_ptr<Linear_solver> make_another() const = 0;
 };
 
 /// makes a solver for symmetric positive definite matrices, given as their upper triangle, or for general matrices
 using Linear_solver_factory = std::function<std::unique_ptr<Linear_solver>(bool is_symmetric)>;
 
-/// makes a factorization that keeps its symbolic analysis: Eigen's LDL^T for symmetric matrices, else LU without pivots
+/// makes a factorization that keeps its symbolic analysis: LDL^T for symmetric matrices, else LU, both
+/// without pivots
 std::unique_ptr<Linear_solver> make_direct_solver(bool is_symmetric);
 
 } // namespace internal

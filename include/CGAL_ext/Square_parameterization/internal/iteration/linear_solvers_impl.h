@@ -5,15 +5,16 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_LINEAR_SOLVERS_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Multifrontal_ldlt.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Unpivoted_lu.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
 
-#include <Eigen/SparseCholesky>
+#include <memory>
 
 namespace CGAL_ext {
 namespace internal {
 
-/// a factorization of Eigen, or with its interface, whose symbolic analysis is done once, at the first matrix
+/// a factorization with the interface of those of Eigen, whose symbolic analysis is done once, at the first matrix
 template <class Factorization>
 class Direct_solver : public Linear_solver
 {
@@ -33,6 +34,8 @@ public:
     return m_factorization.info() == Eigen::Success && solution.allFinite();
   }
 
+  std::unique_ptr<Linear_solver> make_another() const override { return std::make_unique<Direct_solver>(*this); }
+
 private:
   Factorization m_factorization;
   bool m_analyzed = false;
@@ -40,7 +43,7 @@ private:
 
 /// for symmetric positive definite matrices of which the upper triangle is stored. The rows come in a fill-reducing
 /// order already (see `Convex_combination_system`), so that no factorization has to permute the matrix.
-using Symmetric_solver = Direct_solver<Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>>;
+using Symmetric_solver = Direct_solver<Multifrontal_ldlt>;
 
 /// for matrices with a symmetric pattern, rows in a fill-reducing order already. A convex combination matrix is a
 /// diagonally dominant M-matrix, for which elimination along the diagonal is stable: no pivot is looked for.

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The multifrontal factorization against Eigen's, on random matrices and on those of patches.
+
+#include "make_patch_of.h"
+#include "map_cases.h"
+#include "weight_cases.h"
+
+#include <CGAL_ext/Square_parameterization/internal/iteration/Convex_combination_system.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Multifrontal_ldlt.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <vector>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+namespace {
+
+using Eigen_ldlt = Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+
+/// the upper triangle of a symmetric matrix with about so many entries per row beside the diagonal, which dominates. A
+/// third of the diagonal is negative unless the matrix is to be definite.
+Sparse_matrix random_matrix(int n, double row_entries, bool is_definite, Random_numbers& random)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> sum(n, 1);
+  for(int k = 0; k < row_entries * n / 2; ++k) {
+    const int i = random.below(n), j = random.below(n);
+    if(i == j)
+      continue;
+    entries.emplace_back((std::min)(i, j), (std::max)(i, j), random(-1, 1));
+    sum[i] += std::abs(entries.back().value());
+    sum[j] += std::abs(entries.back().value());
+  }
+  for(int i = 0; i < n; ++i)
+    entries.emplace_back(i, i, is_definite || i % 3 != 0 ? sum[i] : -sum[i]);
+  Sparse_matrix upper(n, n);
+  upper.setFromTriplets(entries.begin(), entries.end());
+  return upper;
+}
+
+/// factors and solves, and compares with Eigen and with the equations
+void check_factorization(const Sparse_matrix& upper, Multifrontal_ldlt& ldlt, Random_numbers& random)
+{
+  const Right_hand_sides b = Right_hand_sides::NullaryExpr(upper.rows(), 2, [&] { return random(-1, 1); });
+  ldlt.factorize(upper);
+  REQUIRE(ldlt.info() == Eigen::Success);
+  const Right_hand_sides x = ldlt.solve(b), expected = Eigen_ldlt(upper).solve(b);
+  CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-12 * expected.cwiseAbs().maxCoeff());
+  const Right_hand_sides residual = upper.selfadjointView<Eigen::Upper>() * x - b;
+  CHECK(residual.cwiseAbs().maxCoeff() < 1e-12);
+}
+
+/// patches whose systems have from one unknown to some thousand
+std::vector<Patch> patches_to_factor()
+{
+  return {make_patch_of(saddle(2)), make_patch_of(cone(3)), make_patch_of(hemisphere()),
+          make_patch_of(noisy_height_field(60))};
+}
+
+/// the columns that have entries in each column of the factor, from dense elimination of the pattern alone
+std::vector<std::set<int>> dense_elimination(const Sparse_matrix& upper, const std::vector<int>& places)
+{
+  std::vector<std::set<int>> rows(upper.cols());
+  for(int k = 0; k < upper.cols(); ++k)
+    for(Sparse_matrix::InnerIterator entry(upper, k); entry; ++entry) {
+      const auto [i, j] = std::minmax(places[entry.row()], places[k]);
+      rows[i].insert(j);
+    }
+  for(std::size_t j = 0; j < rows.size(); ++j)
+    for(const int i : rows[j])
+      if(i > int(j))
+        rows[i].insert(rows[j].lower_bound(i), rows[j].end());
+  return rows;
+}
+
+} // namespace
+
+TEST_CASE("the multifrontal factorization solves what Eigen's solves, whatever the pattern")
+{
+  Random_numbers random(1);
+  for(const int n : {1, 2, 3, 5, 17, 64, 200})
+    for(const double row_entries : {0., 0.7, 2., 4., 30.}) // from diagonal and separate trees to nearly dense
+      for(const bool is_definite : {true, false}) {
+        CAPTURE(n, row_entries, is_definite);
+        const Sparse_matrix upper = random_matrix(n, row_entries, is_definite, random);
+        Multifrontal_ldlt ldlt;
+        ldlt.analyzePattern(upper);
+        check_factorization(upper, ldlt, random);
+      }
+}
+
+TEST_CASE("the multifrontal factorization solves the systems of patches, one after the other")
+{
+  Random_numbers random(2);
+  for(const Patch& patch : patches_to_factor())
+    for(const Weight_case& weight_case : all_weights()) {
+      const Edge_weights weights = weight_case.weights(patch);
+      if(!weights.is_symmetric)
+        continue;
+      CAPTURE(weight_case.name, patch.number_of_vertices());
+      const Convex_combination_system system(patch, weights);
+      Convex_combination_system::Equations equations;
+      std::vector<double> factors(patch.points.size(), 1.);
+      Multifrontal_ldlt ldlt;
+      for(int repetition = 0; repetition < 3; ++repetition) {
+        system.assemble(factors, first_square_border(patch), equations);
+        if(repetition == 0)
+          ldlt.analyzePattern(equations.matrix);
+        check_factorization(equations.matrix, ldlt, random);
+        Multifrontal_ldlt copy = ldlt;
+        const Right_hand_sides b = equations.right_hand_sides;
+        copy.factorize(equations.matrix);
+        CHECK(copy.solve(b) == ldlt.solve(b));
+        for(double& factor : factors)
+          factor *= random(0.5, 2);
+      }
+    }
+}
+
+TEST_CASE("a pivot that is zero or not finite ends the factorization, and the next one succeeds")
+{
+  Random_numbers random(3);
+  const Sparse_matrix upper = random_matrix(50, 4, true, random);
+  Multifrontal_ldlt ldlt;
+  ldlt.analyzePattern(upper);
+  for(const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for(const int i : {0, 20, 49}) {
+      Sparse_matrix bad = upper;
+      bad.coeffRef(i, i) = value;
+      ldlt.factorize(bad);
+      CHECK(ldlt.info() == Eigen::NumericalIssue);
+    }
+  ldlt.factorize(0 * upper);
+  CHECK(ldlt.info() == Eigen::NumericalIssue);
+  check_factorization(upper, ldlt, random);
+}
+
+TEST_CASE("fronts hold the factor, children lie before their parents, and rows are found in the parent")
+{
+  for(const Patch& patch : patches_to_factor()) {
+    const Convex_combination_system system(patch, Uniform_weights()(patch));
+    Convex_combination_system::Equations equations;
+    system.assemble(std::vector<double>(patch.points.size(), 1.), first_square_border(patch), equations);
+    const Elimination_fronts fronts(equations.matrix);
+    const std::vector<std::set<int>> rows_of_column = dense_elimination(equations.matrix, fronts.places());
+    std::size_t in_factor = 0, in_fronts = 0;
+    int first = 0;
+    for(std::size_t f = 0; f < fronts.fronts().size(); ++f) {
+      const Elimination_front& front = fronts.fronts()[f];
+      const auto begin = fronts.rows().begin() + front.rows;
+      const std::vector<int> rows(begin, begin + front.height);
+      CHECK(front.first == first);
+      CHECK(std::is_sorted(rows.begin(), rows.end()));
+      for(int j = 0; j < front.width; ++j) {
+        CHECK(rows[j] == front.first + j);
+        const std::set<int>& needed = rows_of_column[front.first + j];
+        CHECK(std::includes(rows.begin(), rows.end(), needed.begin(), needed.end()));
+        in_factor += needed.size();
+        in_fronts += front.height - j;
+      }
+      CHECK((front.parent < 0) == (front.height == front.width));
+      for(int i = front.width; i < front.height; ++i) {
+        const Elimination_front& parent = fronts.fronts()[front.parent];
+        CHECK(front.parent > int(f));
+        CHECK(fronts.rows()[parent.rows + fronts.rows_in_parent()[front.rows + i]] == rows[i]);
+      }
+      first += front.width;
+    }
+    CHECK(first == equations.matrix.cols());
+    CHECK(in_fronts <= 2 * in_factor + 1000); // few zeros are stored
+  }
+}

@@ -114,8 +114,9 @@ private:
         if(!std::isfinite(pivot) || pivot == 0)
           return false;
         m_diagonal[front.first + j + k] = pivot;
+        const double inverse = 1 / pivot;
         for(int i = k + 1; i < front.height - j; ++i)
-          column[i] /= pivot;
+          column[i] *= inverse;
         for(int next = k + 1; next < width; ++next) {
           double* const other = columns + std::size_t(next) * stride;
           const double factor = column[next] * pivot;

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_BORDER_BORDER_CURVES_H
 
 #include <CGAL_ext/Square_parameterization/Corner_rule.h>
+#include <CGAL_ext/Square_parameterization/internal/border/square_sides.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 #include <array>
@@ -133,8 +134,6 @@ struct Square_border
 /// \param walk_corners positions on the walk, in order along it
 inline Square_border square_border(const Border_walk& walk, const Corners& walk_corners)
 {
-  static const double origins[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  static const double directions[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   Square_border border;
   border.uv.resize(walk.size(), 2);
   for(int side = 0; side < 4; ++side) {
@@ -145,10 +144,7 @@ inline Square_border square_border(const Border_walk& walk, const Corners& walk_
       side_length += walk.length(begin + i);
     double length = 0;
     for(int i = 0; i < edges; ++i) {
-      const double t = length / side_length;
-      const int position = walk.border_position(begin + i);
-      border.uv(position, 0) = origins[side][0] + t * directions[side][0];
-      border.uv(position, 1) = origins[side][1] + t * directions[side][1];
+      border.uv.row(walk.border_position(begin + i)) = point_at_share(side, length / side_length);
       length += walk.length(begin + i);
     }
     border.corners[side] = walk.border_position(begin);

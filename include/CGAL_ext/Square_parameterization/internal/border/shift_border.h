@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_BORDER_SHIFT_BORDER_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_BORDER_SHIFT_BORDER_H
 
+#include <CGAL_ext/Square_parameterization/internal/border/square_sides.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 #include <array>
@@ -13,34 +14,6 @@
 
 namespace CGAL_ext {
 namespace internal {
-
-/// how far a point on the unit square is round the border from (0, 0), counter-clockwise: 0 to 4, a corner at each
-/// integer
-inline double way_round_square(const Eigen::RowVector2d& p)
-{
-  if(p.y() == 0 && p.x() < 1)
-    return p.x();
-  if(p.x() == 1 && p.y() < 1)
-    return 1 + p.y();
-  if(p.y() == 1 && p.x() > 0)
-    return 3 - p.x();
-  return 4 - p.y();
-}
-
-/// the point at a share of a side of the unit square
-inline Eigen::RowVector2d point_on_side(int side, double share)
-{
-  switch(side) {
-  case 0:
-    return {share, 0};
-  case 1:
-    return {1, share};
-  case 2:
-    return {1 - share, 1};
-  default:
-    return {0, 1 - share};
-  }
-}
 
 /// a border for other corners of which the vertices are spread as on the border of a map: each side is scaled to the
 /// part of the square that its vertices occupied
@@ -72,7 +45,7 @@ inline Uv_coordinates shift_border(const Patch& patch, const Uv_coordinates& uv,
       const double share = way_from(begin, k) / length;
       if(!(share > before && share < 1))
         return border_uv;
-      result.row(k) = point_on_side(side, share);
+      result.row(k) = point_at_share(side, share);
       before = share;
     }
   }

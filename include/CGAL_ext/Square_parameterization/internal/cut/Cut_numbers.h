@@ -21,8 +21,7 @@ struct Cut_numbers
   int decision_faces = 4000;
 
   /// faces of the copy on which cuts are grown at last, by dozens of scores: with the simpler copies, most of the time
-  /// goes there.
-  /// Fewer: the copy loses the features for which a cut is extended.
+  /// goes there. Fewer: the copy loses the features for which a cut is extended.
   int growth_faces = 800;
 
   /// still simpler copies, on each of which cuts are grown, too. Growth ends in one of many local minima: a copy that
@@ -95,7 +94,8 @@ struct Cut_numbers
 
   // --- growth ---
 
-  /// terminals that are added in one growth, at one weight, at most. A bound for cuts that keep paying; patience ends most growths.
+  /// terminals that are added in one growth, at one weight, at most. A bound for cuts that keep paying; patience ends
+  /// most growths.
   int most_additions = 10;
 
   /// terminals added, or dropped, in a row without a lower score, after which growth ends: two terminals may pay

@@ -106,14 +106,7 @@ public:
              cut.cut.length(m_surface) > m_greatest_length;
     };
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(), is_too_long), cuts.end());
-    return score(std::move(cuts), [&](const std::vector<Scored_cut>& unknown) {
-      std::vector<std::size_t> order(unknown.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(),
-                       [&](std::size_t a, std::size_t b) { return Is_better{weight}(unknown[a], unknown[b]); });
-      order.resize((std::min)(order.size(), static_cast<std::size_t>(numbers().scored_well)));
-      return order;
-    });
+    return score(std::move(cuts), weight, static_cast<std::size_t>(numbers().scored_well));
   }
 
   /// scores cuts to begin with, all of them well
@@ -122,11 +115,7 @@ public:
     std::vector<Scored_cut> starts;
     for(const Cut& cut : cuts)
       starts.push_back({cut, Cut_step::INITIAL, -1});
-    return score(std::move(starts), [](const std::vector<Scored_cut>& unknown) {
-      std::vector<std::size_t> order(unknown.size());
-      std::iota(order.begin(), order.end(), 0);
-      return order;
-    });
+    return score(std::move(starts), 0, cuts.size());
   }
 
   /// what all scores together have cost: time is all but proportional to it
@@ -195,9 +184,8 @@ public:
   }
 
 private:
-  /// scores those of the cuts that are not known yet: roughly, and those that `choose(unknown)` names well
-  template <class Choose>
-  std::vector<Scored_cut> score(std::vector<Scored_cut> cuts, const Choose& choose)
+  /// scores those of the cuts that are not known yet: roughly, and the best \p number of them at a weight well
+  std::vector<Scored_cut> score(std::vector<Scored_cut> cuts, double weight, std::size_t number)
   {
     std::vector<std::size_t> places;
     std::vector<Scored_cut> unknown;
@@ -212,7 +200,11 @@ private:
       if(m_known.size() + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
         unknown[i].score = scorings[i].emplace(m_surface, unknown[i].cut, m_scoring).score();
     });
-    const std::vector<std::size_t> chosen = choose(unknown);
+    std::vector<std::size_t> chosen(unknown.size());
+    std::iota(chosen.begin(), chosen.end(), 0);
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](std::size_t a, std::size_t b) { return Is_better{weight}(unknown[a], unknown[b]); });
+    chosen.resize((std::min)(chosen.size(), number));
     m_team(chosen.size(), [&](std::size_t i) {
       std::optional<Cut_scoring>& scoring = scorings[chosen[i]];
       if(scoring && (m_known.size() + chosen[i] == 0 || !has_passed(m_deadline))) {

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SAMPLING_ALIGN_SEAMS_H
 
 #include <CGAL_ext/Square_parameterization/Minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/border/square_sides.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/Seam_fit.h>
@@ -40,17 +41,7 @@ struct Aligned_map
 inline Uv_point point_on_side(int side, double position, const Grid_size& grid)
 {
   const int intervals = intervals_of_sides(grid)[side];
-  const double along = (side < 2 ? position : intervals - position) / intervals;
-  switch(side) {
-  case 0:
-    return {along, 0};
-  case 1:
-    return {1, along};
-  case 2:
-    return {along, 1};
-  default:
-    return {0, along};
-  }
+  return point_of_side(side, (side < 2 ? position : intervals - position) / intervals);
 }
 
 /// the share of a segment that lies before each of its vertices but the last, from 0 on: the mean of both sides of a

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/thin_fans.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -69,8 +70,8 @@ void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& pl
 }
 
 /// a simpler surface of the same topology with about \p faces triangles, or more where the topology needs them; nothing
-/// when simplification spoils the surface, or the deadline has passed before it is done. The shortest edges of a very fine surface are collapsed first, in a third of
-/// the time, which costs hardly any of its shape.
+/// when simplification spoils the surface, or the deadline has passed before it is done. The shortest edges of a very
+/// fine surface are collapsed first, in a third of the time, which costs hardly any of its shape.
 /// \param very_fine times \p faces: surfaces with more triangles are very fine
 /// \param still_fine times \p faces: triangles left by collapsing the shortest edges
 inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces, double very_fine,
@@ -79,12 +80,14 @@ inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& 
   namespace SMS = CGAL::Surface_mesh_simplification;
   typedef CGAL::Simple_cartesian<double> Kernel;
   typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+  constexpr std::size_t MOST_TRIANGLES_OF_VERTEX = 64;
   Mesh mesh;
   for(const Eigen::Vector3d& p : surface.points)
     mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
   for(const auto& [a, b, c] : surface.triangles)
     if(mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) == Mesh::null_face())
       return std::nullopt;
+  thin_fans(mesh, MOST_TRIANGLES_OF_VERTEX, deadline);
   if(surface.number_of_faces() > very_fine * faces)
     collapse_edges(mesh, static_cast<int>(still_fine * faces), SMS::Edge_length_cost<Mesh>(),
                    SMS::Midpoint_placement<Mesh>(), deadline);

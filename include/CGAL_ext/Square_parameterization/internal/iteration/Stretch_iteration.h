@@ -82,7 +82,7 @@ public:
       }
       m_system.compose(workspace.solution, border_uv, workspace.uv);
       double l2 = std::sqrt(stretch_energy(m_patch, workspace.uv, workspace.sigma) * uv_area);
-      if(report.history.empty() && !std::isfinite(l2) && repair_flips(m_patch, workspace.uv))
+      if(report.history.empty() && !std::isfinite(l2) && repair_flips(m_patch, workspace.uv, best.work))
         l2 = std::sqrt(stretch_energy(m_patch, workspace.uv, workspace.sigma) * uv_area);
       report.history.push_back(l2);
       if(l2 < report.l2) {

@@ -27,14 +27,25 @@ public:
   /// \param triangles of a disk, #F
   /// \param border its border vertices
   Flip_repair(const std::vector<std::array<int, 3>>& triangles, const std::vector<int>& border, Uv_coordinates& uv)
-    : m_triangles(triangles), m_uv(uv), m_star(uv.rows()), m_is_border(uv.rows(), false)
+    : m_triangles(triangles),
+      m_uv(uv),
+      m_star(uv.rows()),
+      m_rings(uv.rows()),
+      m_is_border(uv.rows(), false),
+      m_is_bad(triangles.size()),
+      m_is_found(uv.rows(), false)
   {
-    for(std::size_t f = 0; f < triangles.size(); ++f)
+    for(std::size_t f = 0; f < triangles.size(); ++f) {
       for(int v : triangles[f])
         m_star[v].push_back(static_cast<int>(f));
+      m_is_bad[f] = is_bad(static_cast<int>(f));
+    }
     for(int v : border)
       m_is_border[v] = true;
   }
+
+  /// vertices visited
+  long work() const { return m_work; }
 
   /// returns whether all triangles are counter-clockwise, by exact arithmetic
   bool operator()()
@@ -43,11 +54,12 @@ public:
       const std::vector<int> vertices = vertices_near_bad_triangles(sweep / Minimizer_numbers::REPAIR_SWEEPS_PER_RING);
       if(vertices.empty())
         return true;
+      m_work += static_cast<long>(vertices.size());
       for(int v : vertices)
         if(!m_is_border[v])
           move(v);
     }
-    return vertices_near_bad_triangles(0).empty();
+    return std::find(m_is_bad.begin(), m_is_bad.end(), true) == m_is_bad.end();
   }
 
 private:
@@ -59,39 +71,47 @@ private:
   }
 
   /// the vertices of the bad triangles and as many rings around them, ascending
-  std::vector<int> vertices_near_bad_triangles(int rings) const
+  std::vector<int> vertices_near_bad_triangles(int rings)
   {
-    std::vector<int> vertices;
+    std::vector<int> found;
+    const auto add_vertices = [&](std::size_t f) {
+      for(int v : m_triangles[f])
+        if(!m_is_found[v]) {
+          m_is_found[v] = true;
+          found.push_back(v);
+        }
+    };
     for(std::size_t f = 0; f < m_triangles.size(); ++f)
-      if(is_bad(static_cast<int>(f)))
-        vertices.insert(vertices.end(), m_triangles[f].begin(), m_triangles[f].end());
-    for(int ring = 0; ring <= rings; ++ring) {
-      if(ring > 0) {
-        const std::vector<int> inner = vertices;
-        for(int v : inner)
-          for(int f : m_star[v])
-            vertices.insert(vertices.end(), m_triangles[f].begin(), m_triangles[f].end());
-      }
-      std::sort(vertices.begin(), vertices.end());
-      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    }
-    return vertices;
+      if(m_is_bad[f])
+        add_vertices(f);
+    std::size_t inner = 0;
+    for(int ring = 0; ring < rings; ++ring)
+      for(const std::size_t end = found.size(); inner < end; ++inner)
+        for(int f : m_star[found[inner]])
+          add_vertices(f);
+    for(int v : found)
+      m_is_found[v] = false;
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
-  /// the uv positions of the neighbors of an interior vertex, counter-clockwise
-  std::vector<Eigen::RowVector2d> ring_of(int v) const
+  /// the neighbors of an interior vertex, counter-clockwise
+  const std::vector<int>& ring_of(int v)
   {
+    std::vector<int>& ring = m_rings[v];
+    if(!ring.empty())
+      return ring;
     std::vector<std::pair<int, int>> sides;
     for(int f : m_star[v]) {
       const auto& t = m_triangles[f];
       const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
       sides.emplace_back(t[(k + 1) % 3], t[(k + 2) % 3]);
     }
-    std::vector<Eigen::RowVector2d> ring;
     int next = sides.front().first;
+    std::sort(sides.begin(), sides.end());
     for(std::size_t i = 0; i < sides.size(); ++i) {
-      ring.push_back(m_uv.row(next));
-      next = std::find_if(sides.begin(), sides.end(), [next](const auto& side) { return side.first == next; })->second;
+      ring.push_back(next);
+      next = std::lower_bound(sides.begin(), sides.end(), std::pair(next, 0))->second;
     }
     return ring;
   }
@@ -100,30 +120,48 @@ private:
   /// triangles are bad then
   void move(int v)
   {
-    const auto bad_triangles = [&] {
-      return std::count_if(m_star[v].begin(), m_star[v].end(), [this](int f) { return is_bad(f); });
-    };
-    const std::vector<Eigen::RowVector2d> ring = ring_of(v);
+    std::vector<Eigen::RowVector2d> ring;
+    for(int w : ring_of(v))
+      ring.push_back(m_uv.row(w));
     Eigen::RowVector2d mean(0, 0);
     for(const Eigen::RowVector2d& p : ring)
       mean += p / ring.size();
-    const auto before = bad_triangles();
     const Eigen::RowVector2d position = m_uv.row(v);
     m_uv.row(v) = point_in_kernel(ring).value_or(mean);
-    if(bad_triangles() > before)
+    long before = 0, after = 0;
+    std::vector<bool> is_bad_now;
+    for(int f : m_star[v]) {
+      is_bad_now.push_back(is_bad(f));
+      before += m_is_bad[f];
+      after += is_bad_now.back();
+    }
+    if(after > before)
       m_uv.row(v) = position;
+    else
+      for(std::size_t i = 0; i < is_bad_now.size(); ++i)
+        m_is_bad[m_star[v][i]] = is_bad_now[i];
   }
 
   const std::vector<std::array<int, 3>>& m_triangles;
   Uv_coordinates& m_uv;
-  std::vector<std::vector<int>> m_star; // per vertex, its triangles
+  std::vector<std::vector<int>> m_star;  // per vertex, its triangles
+  std::vector<std::vector<int>> m_rings; // per vertex, its neighbors; empty until they are asked for
   std::vector<bool> m_is_border;
+  std::vector<bool> m_is_bad;   // per triangle
+  std::vector<bool> m_is_found; // per vertex, while vertices are collected
+  long m_work = 0;
 };
 
 /// see `Flip_repair`; returns whether the map of the patch is one-to-one afterwards
-inline bool repair_flips(const Patch& patch, Uv_coordinates& uv)
+/// \param work what it costs is added to, in vertices visited
+inline bool repair_flips(const Patch& patch, Uv_coordinates& uv, long& work)
 {
-  return uv.allFinite() && Flip_repair(patch.triangles, patch.border, uv)();
+  if(!uv.allFinite())
+    return false;
+  Flip_repair repair(patch.triangles, patch.border, uv);
+  const bool is_repaired = repair();
+  work += repair.work();
+  return is_repaired;
 }
 
 } // namespace internal

@@ -47,7 +47,7 @@ Minimized_map if_one_to_one(const Patch& patch, Minimized_map map, const Objecti
     return map;
   Minimization_report& report = map.report;
   report.l2 = report.objective = std::numeric_limits<double>::infinity();
-  if(repair_flips(patch, map.uv)) {
+  if(repair_flips(patch, map.uv, map.work)) {
     report.l2 = std::sqrt(stretch_energy(patch, on_rectangle(map.uv, map.aspect)));
     report.objective = objective_of(map.uv, report.l2);
   } else

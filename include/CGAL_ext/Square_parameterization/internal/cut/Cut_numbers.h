@@ -76,9 +76,12 @@ struct Cut_numbers
   /// much are cut at a wrong place by the noise of the scores.
   double decision_tolerance = 1e-4;
 
-  /// times a quick map: what a map from coarse to fine counts for in the work below; measured. More: growth ends
-  /// earlier where maps are slow.
-  int slow_map_work = 5;
+  /// sweeps over the map that the cheap iteration for one choice of corners counts for; measured
+  long start_work = 2;
+
+  /// times that a score visits each vertex, at most, for it to count as one map in the work below; half as many again
+  /// as in the mean. One that visits them more often counts for more. Less: growth ends earlier where maps are slow.
+  long ordinary_work = 80;
 
   // --- the cuts to begin with, on a closed surface with handles ---
 

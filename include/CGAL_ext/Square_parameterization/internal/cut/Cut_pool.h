@@ -119,13 +119,13 @@ public:
   }
 
   /// what all scores together have cost: time is all but proportional to it
-  long vertices_mapped() const { return m_vertices_mapped; }
+  long work() const { return m_work; }
 
   /// indicates whether scores have cost \p work, in vertices mapped, or the deadline has passed
-  bool is_exhausted(long work) const { return m_vertices_mapped >= work || has_passed(m_deadline); }
+  bool is_exhausted(long work) const { return m_work >= work || has_passed(m_deadline); }
 
   /// what a score has cost. \pre there is one
-  long vertices_per_score() const { return m_vertices_mapped / static_cast<long>(m_known.size()); }
+  long work_per_score() const { return m_work / static_cast<long>(m_known.size()); }
 
   /// the best of all at a weight. \pre there is one
   const Scored_cut& best(double weight) const { return best_of(m_known, weight); }
@@ -212,13 +212,13 @@ private:
         unknown[chosen[i]].score = scoring->score();
       }
     });
-    long vertices_mapped = 0;
+    long work = 0;
     for(Scored_cut& cut : unknown) {
-      vertices_mapped += cut.score.vertices;
+      work += cut.score.work;
       m_known.push_back(std::move(cut));
     }
-    m_vertices_mapped += vertices_mapped;
-    m_progress.advance(double(vertices_mapped));
+    m_work += work;
+    m_progress.advance(double(work));
     for(std::size_t i = 0; i < cuts.size(); ++i)
       cuts[i].score = m_known[places[i]].score;
     return cuts;
@@ -250,7 +250,7 @@ private:
   Cut_progress& m_progress;
   std::vector<Scored_cut> m_known;                    // in the order in which they came
   std::map<std::vector<int>, std::size_t> m_place_of; // there, per edges of a cut
-  long m_vertices_mapped = 0;
+  long m_work = 0;
 };
 
 } // namespace internal

@@ -45,7 +45,7 @@ private:
   /// indicates whether another terminal, with all of its candidates, would be too much work
   bool is_exhausted() const
   {
-    const long next_terminal = 2 * m_numbers.candidates * m_pool.vertices_per_score();
+    const long next_terminal = 2 * m_numbers.candidates * m_pool.work_per_score();
     return m_pool.is_exhausted(m_work - next_terminal + 1); // with it, beyond the limit
   }
 

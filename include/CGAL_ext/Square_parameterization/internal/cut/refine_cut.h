@@ -18,7 +18,7 @@ namespace CGAL_ext {
 namespace internal {
 
 /// lets each terminal of the cut go, or give way to one at a distance, where that lowers the score; false when it never
-/// does. Ends early when the pool has mapped \p work vertices, or its deadline has passed.
+/// does. Ends early when the scores of the pool have cost \p work, or its deadline has passed.
 inline bool improve_cut(Cut_pool& pool, double weight, double distance, long work, Scored_cut& best,
                         Cut_history& history)
 {
@@ -53,7 +53,7 @@ inline void refine_cut(Cut_pool& pool, double weight, Scored_cut& cut, Cut_histo
 {
   const Cut_numbers& numbers = pool.numbers();
   history.add(cut);
-  const long work = pool.vertices_mapped() + numbers.refinement_work;
+  const long work = pool.work() + numbers.refinement_work;
   for(double step = numbers.first_step; step >= numbers.last_step && !pool.is_exhausted(work);)
     if(!improve_cut(pool, weight, step * std::sqrt(pool.surface().area), work, cut, history))
       step /= 2;

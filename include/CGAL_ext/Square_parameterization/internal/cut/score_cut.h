@@ -41,8 +41,7 @@ struct Cut_score
 {
   double stretch = std::numeric_limits<double>::infinity(); ///< infinite when the cut surface has no one-to-one map
   double length = 0;                                        ///< in units of sqrt(area)
-  bool is_slow = false; ///< the map that tells the stretch was made from coarse to fine
-  long vertices = 0;    ///< of the opened surface that was mapped, several times when that was slow: what it has cost
+  long work = 0; ///< what it has cost, in vertices mapped: those of the opened surface, and more when maps are slow
 
   /// \param weight stretch that a cut of length sqrt(area) must save
   double at(double weight) const { return stretch + weight * length; }
@@ -87,8 +86,10 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   const Balanced_energy energy(patch, options.balance, options.aspect);
   Stretch_iteration::Workspace workspace;
   Minimized_map best;
+  long work = 0;
   for(const Uv_coordinates& border : borders) {
     Minimized_map map = iteration.minimize(border, 1, workspace);
+    work += options.numbers.start_work * patch.number_of_vertices() + map.work;
     if(map.uv.rows() > 0 && options.aspect != 1.)
       map.report.l2 = std::sqrt(stretch_energy(patch, on_rectangle(map.uv, energy.aspect(map.uv))));
     if(map.report.l2 < best.report.l2)
@@ -96,6 +97,7 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
     if(best.uv.rows() == 0)
       break;
   }
+  best.work = work;
   return best;
 }
 
@@ -119,7 +121,7 @@ public:
   Cut_scoring(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options) : m_options(options)
   {
     m_score.length = cut.length(surface) / std::sqrt(surface.area);
-    m_score.vertices = surface.number_of_vertices();
+    m_score.work = surface.number_of_vertices();
     try {
       m_patch = std::make_unique<const Patch>(patch_of_cut(surface, cut));
       start();
@@ -133,11 +135,11 @@ public:
   /// goes on with the map until its stretch is all but the least for the corners; frees its memory
   void refine()
   {
-    if(!m_patch)
+    if(!m_minimizer)
       return;
     try {
       minimize(m_options.numbers.score_tolerance);
-      if(m_score.is_slow)
+      if(m_map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS)
         map_slowly();
     } catch(const Unmappable&) { // the rough map is what is known
     }
@@ -152,7 +154,8 @@ private:
         spread_borders(*m_patch, m_options.numbers.corner_candidates, m_options.aspect);
     m_map = quick_start(*m_patch, borders, m_options);
     m_border = borders.front();
-    m_score.vertices = m_patch->number_of_vertices();
+    m_visited = m_map.work;
+    count_work();
     if(m_map.uv.rows() == 0) {
       map_slowly();
       return;
@@ -170,19 +173,25 @@ private:
 
   void minimize(double tolerance)
   {
-    if(!m_minimizer)
-      return;
     Balanced_minimizer::Workspace workspace;
+    const long work_before = m_map.work;
     m_map = m_minimizer->minimize(std::move(m_map), tolerance, workspace);
-    m_score.stretch = (std::min)(m_score.stretch, m_map.report.l2);
-    m_score.is_slow = m_map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS;
+    add(m_map, work_before);
   }
 
-  void map_slowly()
+  void map_slowly() { add(slow_map(*m_patch, m_border, m_options), 0); }
+
+  /// \param work_before of what the map has cost, the part that was added before
+  void add(const Minimized_map& map, long work_before)
   {
-    m_score.is_slow = true;
-    m_score.vertices = m_options.numbers.slow_map_work * m_patch->number_of_vertices();
-    m_score.stretch = (std::min)(m_score.stretch, slow_map(*m_patch, m_border, m_options).report.l2);
+    m_score.stretch = (std::min)(m_score.stretch, map.report.l2);
+    m_visited += map.work - work_before;
+    count_work();
+  }
+
+  void count_work()
+  {
+    m_score.work = (std::max)(long(m_patch->number_of_vertices()), m_visited / m_options.numbers.ordinary_work);
   }
 
   const Cut_score_options& m_options;
@@ -191,6 +200,7 @@ private:
   std::unique_ptr<const Balanced_minimizer> m_minimizer;
   Minimized_map m_map;
   Uv_coordinates m_border;
+  long m_visited = 0; // vertices, by all maps
 };
 
 /// the score of one cut

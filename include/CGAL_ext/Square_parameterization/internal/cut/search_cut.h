@@ -167,7 +167,7 @@ private:
     const long most_work = work_of_growth(surface);
     const std::vector<double> weights = weights_of_family(m_weight);
     for(std::size_t i = 0; i < weights.size(); ++i) {
-      const long done = pool.vertices_mapped();
+      const long done = pool.work();
       Cut_growth(pool, weights[i], done + (most_work - done) / static_cast<long>(weights.size() - i), m_history)();
     }
     return pool.selection(m_weight);

@@ -100,10 +100,10 @@ public:
       uv = start(borders, 0, workspace, descent);
     if(uv.rows() == 0 && m_patches.size() > 1 && !has_passed(m_deadline)) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
-      uv = Stretch_iteration(m_patches[0], m_options.start).minimize(border_uv, 1, iteration_workspace).uv;
+      uv = first_map(Stretch_iteration(m_patches[0], m_options.start), border_uv, iteration_workspace, descent);
     }
     if(uv.rows() == 0)
-      return Minimized_map();
+      return without_map(descent);
     Minimized_map map = map_to_compare(0, std::move(uv), workspace, descent);
     map.warm_start = m_warm_level == 0 ? map.uv : std::move(descent.warm_start);
     return map;
@@ -145,7 +145,7 @@ public:
       Descent descent;
       Uv_coordinates uv = start(borders, level, workspace, descent);
       if(uv.rows() == 0)
-        return Minimized_map();
+        return without_map(descent);
       map = map_to_compare(level, std::move(uv), workspace, descent);
     }
     map.warm_start = std::move(map.uv);
@@ -296,6 +296,23 @@ private:
     workspace.transports.resize(m_minimizers.size());
   }
 
+  /// the map of an iteration, whose work is counted; without rows when there is none
+  static Uv_coordinates first_map(const Stretch_iteration& iteration, const Uv_coordinates& border_uv,
+                                  Stretch_iteration::Workspace& workspace, Descent& descent)
+  {
+    Minimized_map map = iteration.minimize(border_uv, 1, workspace);
+    descent.work += map.work;
+    return std::move(map.uv);
+  }
+
+  /// what is returned when no way leads to a map: searches count what they have cost, too
+  static Minimized_map without_map(const Descent& descent)
+  {
+    Minimized_map map;
+    map.work = descent.work;
+    return map;
+  }
+
   /// a map of the patch of level \p to, from the first start that works well, or else goes on with the best of those
   /// that were given up; without rows when none works
   Uv_coordinates start(const Patch_sequence::Borders& borders, std::size_t to, Workspace& workspace,
@@ -304,7 +321,7 @@ private:
     Uv_coordinates uv;
     for(std::size_t i = 0; i < m_starts.size() && uv.rows() == 0 && m_starts[i].level < borders.size(); ++i) {
       const auto& [level, iteration] = m_starts[i];
-      uv = refine(level, to, iteration->minimize(borders[level].uv, 1, workspace.starts[i]).uv, borders, workspace,
+      uv = refine(level, to, first_map(*iteration, borders[level].uv, workspace.starts[i], descent), borders, workspace,
                   descent);
     }
     return uv.rows() == 0 ? resume(to, borders, workspace, descent) : uv;

@@ -51,7 +51,7 @@ TEST_CASE("when one of several outputs cannot take its place the others are as t
     outputs.add(folder / "third", text("new third"));
     // what made the first two fail is met after they were renamed
     outputs.add(folder / "last", [&folder](std::ostream&) { std::filesystem::create_directory(folder / "last"); });
-    REQUIRE_THROWS_WITH(outputs.write_and_commit(), Catch::Contains("last': it is a folder"));
+    REQUIRE_THROWS_WITH(outputs.write_and_commit(), Catch::Matchers::Contains("last': it is a folder"));
   }
   CHECK(read_file(folder / "first") == "old first");
   CHECK(read_file(folder / "third") == "old third");

@@ -182,7 +182,7 @@ TEST_CASE("a grid that is too small for the seams leaves the map as it is")
 {
   const Rebuilt rebuilt = rebuild(torus(12, 8), {2, 2});
   CHECK(rebuilt.report.seam_samples.empty());
-  CHECK_THAT(rebuilt.report.seam_message, Catch::EndsWith("the border of the grid has 4"));
+  CHECK_THAT(rebuilt.report.seam_message, Catch::Matchers::EndsWith("the border of the grid has 4"));
   CHECK(!rebuilt.topology.is_closed);
   CHECK(rebuilt.topology.is_manifold);
   CHECK(rebuilt.topology.genus == 0);
@@ -196,7 +196,7 @@ TEST_CASE(
   const Rebuilt open = rebuild(plate, {17, 17});
   REQUIRE(open.report.seam_samples.empty());
   const std::string& message = open.report.seam_message;
-  CHECK_THAT(message, Catch::EndsWith(", and the border of the grid has 64"));
+  CHECK_THAT(message, Catch::Matchers::EndsWith(", and the border of the grid has 64"));
   const int needed = std::stoi(message.substr(message.find(" need ") + 6));
   CHECK(needed > 64);
   // the four sides do not share them evenly, and a seam that has both sides on one side of the grid has an even number

@@ -151,9 +151,11 @@ TEST_CASE("maps that are not one-to-one onto the square are refused, with the pl
   const Flat_mesh mesh = unit_square(4);
   Uv_coordinates uv = flat_uv(mesh);
   const Grid_size grid{9, 9};
-  CHECK_THROWS_WITH(locate_samples(mesh.triangles, uv / 2, grid), Catch::Matchers::Contains("sample (5, 0) lies in no"));
+  CHECK_THROWS_WITH(locate_samples(mesh.triangles, uv / 2, grid),
+                    Catch::Matchers::Contains("sample (5, 0) lies in no"));
   uv.col(0) *= -1;
-  CHECK_THROWS_WITH(locate_samples(mesh.triangles, uv, grid), Catch::Matchers::Contains("face 0 is not counter-clockwise"));
+  CHECK_THROWS_WITH(locate_samples(mesh.triangles, uv, grid),
+                    Catch::Matchers::Contains("face 0 is not counter-clockwise"));
   uv(3, 0) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(locate_samples(mesh.triangles, uv, grid), Unmappable);
 }

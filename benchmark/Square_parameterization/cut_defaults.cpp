@@ -56,6 +56,7 @@ struct Variation
 const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decision_faces, 2000, 8000},
                                         {"growth_faces", &Cut_numbers::growth_faces, 600, 1200},
                                         {"simpler_copies", &Cut_numbers::simpler_copies, 1, 5},
+                                        {"simpler_copies_of_small", &Cut_numbers::simpler_copies_of_small, 0, 3},
                                         {"simplest_growth_faces", &Cut_numbers::simplest_growth_faces, 300, 500},
                                         {"faces_per_loop", &Cut_numbers::faces_per_loop, 6, 24},
                                         {"least_reduction", &Cut_numbers::least_reduction, 1, 2},

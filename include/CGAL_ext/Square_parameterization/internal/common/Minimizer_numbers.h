@@ -144,6 +144,9 @@ struct Minimizer_numbers
   /// cost of a step, as a multiple of that of a sweep; measured
   static constexpr long STEP_WORK = 4;
 
+  /// the same of a direction that is tried to go round triangles, and factored for that alone
+  static constexpr long ROUNDABOUT_WORK = 2;
+
   /// vertices of a patch whose matrices are factored, at most: above, a V-cycle over the coarser patches stands for the
   /// factors, whose time and memory grow faster than the patch
   static constexpr int LARGEST_FACTORED = 20000;

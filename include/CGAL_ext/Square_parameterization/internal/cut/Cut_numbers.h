@@ -28,6 +28,10 @@ struct Cut_numbers
   /// differs ends in another. More: a better cut here and there, for much time.
   int simpler_copies = 3;
 
+  /// the same of a surface so small that no copy of `growth_faces` is made: cuts are grown on the surface itself, and
+  /// less is left to be found. More: small surfaces take longer than large ones.
+  int simpler_copies_of_small = 1;
+
   /// faces of the simplest of them; the others lie between it and `growth_faces`
   int simplest_growth_faces = 400;
 

@@ -139,9 +139,10 @@ private:
         simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
     const Triangle_surface& grown = copy ? *copy : surface;
     std::vector<Cut> starts = rerouted_initial_cuts(grown, numbers(), m_team);
-    for(int i = 0; i < numbers().simpler_copies; ++i)
+    const int simpler_copies = copy ? numbers().simpler_copies : numbers().simpler_copies_of_small;
+    for(int i = 0; i < simpler_copies; ++i)
       if(const auto simpler = simplified_copy(grown, faces_of_simpler_copy(i), numbers(), m_deadline)) {
-        m_progress.begin_part(SIMPLIFIED + (GROWN_ON_SIMPLER_COPIES - SIMPLIFIED) * (i + 1) / numbers().simpler_copies,
+        m_progress.begin_part(SIMPLIFIED + (GROWN_ON_SIMPLER_COPIES - SIMPLIFIED) * (i + 1) / simpler_copies,
                               double(work_of_growth(*simpler)));
         const std::vector<Cut> simple = grow_family(*simpler, rerouted_initial_cuts(*simpler, numbers(), m_team));
         for(Cut& cut : lifted(*simpler, simple, grown))

@@ -130,6 +130,7 @@ public:
       report.history.push_back(report.objective);
     const unsigned int first_iteration = report.iterations;
     unsigned int age = 0; // of the factors
+    long roundabouts = 0;
     while(true) {
       if(report.iterations >= maximum_iterations) {
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
@@ -154,7 +155,9 @@ public:
         break;
       }
       double feasible = largest_step(m_patch, map.uv, workspace.direction);
-      const bool goes_round = go_round_blocked(is_free, memory, map.uv, workspace, slope, feasible);
+      const int tries = go_round_blocked(is_free, memory, map.uv, workspace, slope, feasible);
+      const bool goes_round = tries > 0;
+      roundabouts += tries;
       if(!search_line(report.objective, slope, feasible, map.uv, workspace)) {
         if(age == 0 && memory.is_empty()) {
           report.stop_reason = Stop_reason::NO_LOWER_MAP;
@@ -171,7 +174,9 @@ public:
       if(goes_round)
         memory.clear(); // of a step that was none of the whole mesh
     }
-    map.work += Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) * m_patch.number_of_vertices();
+    map.work += (Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) +
+                 Minimizer_numbers::ROUNDABOUT_WORK * roundabouts) *
+                m_patch.number_of_vertices();
     report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
     map.uv = in_given_order(std::move(map.uv));
@@ -275,16 +280,16 @@ private:
   }
 
   /// turns to another direction where triangles that lose their area on a small part of the way would keep the step
-  /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Returns
-  /// false when there are none; else the factors are of this direction alone.
+  /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Returns the
+  /// number of directions that were tried; if there are any, the factors are of the last one alone.
   /// \param feasible the largest step in the direction
-  bool go_round_blocked(const Free_coordinates& is_free, Secant_memory& memory, const Uv_coordinates& uv,
+  int go_round_blocked(const Free_coordinates& is_free, Secant_memory& memory, const Uv_coordinates& uv,
                         Workspace& workspace, double& slope, double& feasible) const
   {
-    if(!is_blocked(feasible))
-      return false;
     Free_coordinates moves = is_free;
-    for(int i = 0; i < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible); ++i) {
+    int tries = 0;
+    while(tries < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible)) {
+      ++tries;
       fix_blocked(uv, workspace.direction, moves);
       memory.clear();
       if(!m_preconditioner.factorize(m_energy, uv, moves, workspace.preconditioner))
@@ -294,7 +299,7 @@ private:
       slope = dot(workspace.gradient, workspace.direction);
       feasible = largest_step(m_patch, uv, workspace.direction);
     }
-    return true;
+    return tries;
   }
 
   static bool is_blocked(double feasible)

@@ -38,6 +38,28 @@ Uv_coordinates random_coordinates(Eigen::Index rows, unsigned int seed)
   return result;
 }
 
+/// the map with interior vertices moved to all but an edge of one of their triangles, unless one flips
+Uv_coordinates squeezed(const Patch& patch, Uv_coordinates uv)
+{
+  constexpr double SHARE = 1 - 1e-7; // of the way
+  std::vector<bool> is_done(patch.number_of_vertices(), false);
+  for(int v : patch.border)
+    is_done[v] = true;
+  for(const auto& t : patch.triangles)
+    for(int i = 0; i < 3; ++i) {
+      const int v = t[i];
+      if(is_done[v])
+        continue;
+      const Eigen::RowVector2d place = uv.row(v);
+      uv.row(v) += SHARE * ((uv.row(t[(i + 1) % 3]) + uv.row(t[(i + 2) % 3])) / 2 - place);
+      is_done[v] = number_of_flipped_faces(patch.triangles, uv) == 0;
+      if(!is_done[v])
+        uv.row(v) = place;
+      break;
+    }
+  return uv;
+}
+
 } // namespace
 
 TEST_CASE("the energy of a star is that of the map but for a constant, and its step is one of Newton's method")
@@ -230,6 +252,20 @@ TEST_CASE("a map stopped after any number of steps has no flips, and continued i
   CHECK(continued.report.objective == Approx(at_once.report.objective).epsilon(1e-8));
   CHECK(continued.report.iterations >= rough.report.iterations);
   CHECK(continued.report.history.size() == continued.report.iterations + 1);
+}
+
+TEST_CASE("the work of a map is that of its steps, and more where triangles stand in their way")
+{
+  for(const Patch& patch :
+      {make_patch_of(saddle(6)), make_patch_of(cone(6, 12, 19)), make_patch_of(noisy_height_field(12))}) {
+    const auto work_beside_steps = [&patch](const Uv_coordinates& start) {
+      const Minimized_map map = minimized(patch, start, minimization_of(0.3, true), 1e-6);
+      return map.work - Minimizer_numbers::STEP_WORK * map.report.iterations * patch.number_of_vertices();
+    };
+    const Uv_coordinates map = some_map(patch);
+    CHECK(work_beside_steps(map) == 0);
+    CHECK(work_beside_steps(squeezed(patch, map)) >= Minimizer_numbers::ROUNDABOUT_WORK * patch.number_of_vertices());
+  }
 }
 
 TEST_CASE("settling a map mends what one vertex spoils")

@@ -284,7 +284,7 @@ private:
   /// number of directions that were tried; if there are any, the factors are of the last one alone.
   /// \param feasible the largest step in the direction
   int go_round_blocked(const Free_coordinates& is_free, Secant_memory& memory, const Uv_coordinates& uv,
-                        Workspace& workspace, double& slope, double& feasible) const
+                       Workspace& workspace, double& slope, double& feasible) const
   {
     Free_coordinates moves = is_free;
     int tries = 0;

@@ -26,11 +26,13 @@ namespace CGAL_ext {
 ///
 /// what the minimization of the balanced energy began with. Where the start of the options leads to no map, or to one
 /// with an L2 stretch of the order of a thousand, which is a start lost in rounding more often than the surface, the
-/// others are tried in this order, until one does better than that; the best map is delivered.
+/// others are tried in this order, until one does better than that; the best map is delivered. All others make the mesh
+/// coarser in small steps, each by an eighth of the vertices instead of half of them.
 enum class Map_start
 {
   AS_CHOSEN,          ///< that of the options
-  BLENDED_WEIGHTS,    ///< a first map by `Blended_weights`
+  GRADUAL_COARSENING, ///< that of the options, but in small steps
+  BLENDED_WEIGHTS,    ///< a first map by `Blended_weights`, unless these are the weights of the options
   UNIFORM_WEIGHTS,    ///< a first map by `Uniform_weights`
   MEAN_VALUE_WEIGHTS, ///< a first map by `Mean_value_weights`
   FIXED_BORDER_FIRST  ///< minimised with a fixed border, and only then with a sliding one

@@ -14,6 +14,8 @@ namespace square_map {
 inline std::string name_of(CGAL_ext::Map_start start)
 {
   switch(start) {
+  case CGAL_ext::Map_start::GRADUAL_COARSENING:
+    return "gradual coarsening";
   case CGAL_ext::Map_start::BLENDED_WEIGHTS:
     return "blended weights";
   case CGAL_ext::Map_start::UNIFORM_WEIGHTS:

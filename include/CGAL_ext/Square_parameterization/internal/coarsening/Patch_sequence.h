@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_SEQUENCE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_SEQUENCE_H
 
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Coarsening.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_coarsener.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/coarse_border.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
@@ -20,7 +21,7 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// a patch and ever coarser ones, each with half the interior vertices of the one before it.
+/// a patch and ever coarser ones, each with half the interior vertices of the one before it, or seven eighths.
 ///
 /// The border stays. Only where it would soon be most of a large patch it is made coarse, too: the corners of the
 /// square are then stood for by other vertices, and a vertex that is put back slides from its neighbor into place.
@@ -32,7 +33,8 @@ public:
 
   typedef std::vector<Coarse_border> Borders; ///< per patch
 
-  Patch_sequence(const Patch& patch, bool may_coarsen_border) : m_patch(patch), m_may_coarsen_border(may_coarsen_border)
+  Patch_sequence(const Patch& patch, bool may_coarsen_border, Coarsening coarsening = Coarsening::BY_HALVES)
+    : m_patch(patch), m_may_coarsen_border(may_coarsen_border), m_coarsening(coarsening)
   {}
 
   std::size_t size() const { return 1 + m_coarse.size(); }
@@ -90,11 +92,14 @@ private:
     const bool keeps =
         !m_may_coarsen_border || !is_worth_while || border < Minimizer_numbers::LARGEST_BORDER * interior;
     const int removable = keeps ? interior : interior + border;
+    const bool is_gradual =
+        m_coarsening == Coarsening::BY_EIGHTHS && patch.number_of_vertices() <= Minimizer_numbers::LARGEST_FACTORED;
+    const int parts = is_gradual ? 8 : 2;
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
         Patch_coarsener coarsener(patch, least_shape_kept, keeps);
-        auto coarse = std::make_unique<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / 2));
-        if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removable)
+        auto coarse = std::make_unique<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / parts));
+        if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removable / parts)
           return coarse;
       } catch(const Unmappable&) {
         // too degenerate to be a patch: the finer one does without
@@ -104,6 +109,7 @@ private:
 
   const Patch& m_patch;
   bool m_may_coarsen_border;
+  Coarsening m_coarsening;
   std::vector<std::unique_ptr<const Coarse_patch>> m_coarse;
 };
 

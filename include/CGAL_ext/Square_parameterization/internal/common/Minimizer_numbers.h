@@ -24,9 +24,9 @@ struct Minimizer_numbers
   /// they cost little as they are.
   static constexpr int LARGE = 2000;
 
-  /// share of the vertices that can be removed, of which a coarser patch must lack so many; half of them is the aim.
-  /// Less: many patches that are hardly coarser than the ones before.
-  static constexpr double LEAST_REMOVED = 0.2;
+  /// share of the vertices that a coarser patch is to lack (half of those that can be removed, or an eighth), of which it
+  /// must lack so many. Less: many patches that are hardly coarser than the ones before.
+  static constexpr double LEAST_REMOVED = 0.4;
 
   /// border vertices per interior vertex from which on the border is made coarse, too: what is half border cannot be
   /// halved otherwise

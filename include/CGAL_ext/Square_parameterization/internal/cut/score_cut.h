@@ -101,7 +101,8 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   return best;
 }
 
-/// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched
+/// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched;
+/// by small steps of coarsening where large ones lead to no map
 inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, const Cut_score_options& options)
 {
   Balanced_minimization minimization;
@@ -109,7 +110,13 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
   minimization.aspect = options.aspect;
   minimization.search_tolerance = options.numbers.score_tolerance;
   minimization.maximum_iterations = static_cast<unsigned int>(options.numbers.score_steps);
-  return make_minimizer(patch, minimization)->make_worker()(border, nullptr);
+  Minimized_map map = make_minimizer(patch, minimization)->make_worker()(border, nullptr);
+  if(map.uv.rows() > 0)
+    return map;
+  const long work = map.work;
+  map = make_minimizer(patch, minimization, {}, Coarsening::BY_EIGHTHS)->make_worker()(border, nullptr);
+  map.work += work;
+  return map;
 }
 
 /// scores a cut by the stretch that it leaves and by its length, in two steps: a rough map bounds the stretch from

@@ -23,11 +23,13 @@ class Coarse_to_fine_minimizer : public Map_minimizer
 {
 public:
   /// \param deadline see `make_minimizer()`
-  Coarse_to_fine_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline)
+  Coarse_to_fine_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline,
+                           Coarsening coarsening)
     : m_patch(patch),
       m_minimization(minimization),
       m_deadline(deadline),
-      m_minimizer(patch, minimization, true, deadline)
+      m_coarsening(coarsening),
+      m_minimizer(patch, minimization, true, deadline, coarsening)
   {}
 
   Worker make_worker() const override
@@ -96,7 +98,7 @@ private:
     if(m_minimizer.keeps_border() || has_passed(m_deadline))
       return Minimized_map();
     std::call_once(m_whole_border_made, [this] {
-      m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_minimization, false, m_deadline);
+      m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_minimization, false, m_deadline, m_coarsening);
     });
     Multilevel_minimizer::Workspace workspace;
     Minimized_map map = m_whole_border->minimize(border_uv, workspace);
@@ -113,6 +115,7 @@ private:
   const Patch& m_patch;
   Balanced_minimization m_minimization;
   Deadline m_deadline;
+  Coarsening m_coarsening;
   Multilevel_minimizer m_minimizer;
   mutable std::once_flag m_whole_border_made;
   mutable std::unique_ptr<const Multilevel_minimizer> m_whole_border; // made when needed

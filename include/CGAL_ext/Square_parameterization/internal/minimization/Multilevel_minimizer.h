@@ -53,8 +53,9 @@ public:
   /// \param deadline when it has passed no patch is minimised any more: a map that is begun goes down to the finest
   ///        patch by sweeps alone
   explicit Multilevel_minimizer(const Patch& patch, const Balanced_minimization& options = {},
-                                bool may_coarsen_border = true, const Deadline& deadline = {})
-    : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING),
+                                bool may_coarsen_border = true, const Deadline& deadline = {},
+                                Coarsening coarsening = Coarsening::BY_HALVES)
+    : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING, coarsening),
       m_options(options),
       m_deadline(deadline)
   {

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAKE_MINIMIZER_H
 
 #include <CGAL_ext/Square_parameterization/Minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Coarsening.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_iteration_minimizer.h>
 
 #include <memory>
@@ -21,7 +22,8 @@ std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Mi
 
 /// the balanced energy from coarse to fine
 std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch, const Balanced_minimization& minimization,
-                                                    const Deadline& deadline = {});
+                                                    const Deadline& deadline = {},
+                                                    Coarsening coarsening = Coarsening::BY_HALVES);
 
 } // namespace internal
 } // namespace CGAL_ext

@@ -16,10 +16,12 @@
 namespace CGAL_ext {
 namespace internal {
 
-CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer>
-make_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline)
+CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer> make_minimizer(const Patch& patch,
+                                                                             const Balanced_minimization& minimization,
+                                                                             const Deadline& deadline,
+                                                                             Coarsening coarsening)
 {
-  return std::make_shared<Coarse_to_fine_minimizer>(patch, minimization, deadline);
+  return std::make_shared<Coarse_to_fine_minimizer>(patch, minimization, deadline, coarsening);
 }
 
 CGAL_EXT_INLINE_FUNCTION std::shared_ptr<const Map_minimizer>

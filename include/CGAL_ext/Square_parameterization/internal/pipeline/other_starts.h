@@ -25,10 +25,10 @@ class Fixed_border_first_minimizer : public Map_minimizer
 {
 public:
   Fixed_border_first_minimizer(const Patch& patch, Balanced_minimization sliding, const Deadline& deadline)
-    : m_sliding(make_minimizer(patch, sliding, deadline))
+    : m_sliding(make_minimizer(patch, sliding, deadline, Coarsening::BY_EIGHTHS))
   {
     sliding.border = Border_motion::FIXED;
-    m_fixed = make_minimizer(patch, sliding, deadline);
+    m_fixed = make_minimizer(patch, sliding, deadline, Coarsening::BY_EIGHTHS);
   }
 
   Worker make_worker() const override { return m_fixed->make_worker(); }
@@ -51,7 +51,8 @@ struct Other_start
   std::function<std::shared_ptr<const Map_minimizer>()> make_minimizer;
 };
 
-/// the starts that are left when that of the options has failed, in the order in which they are tried
+/// the starts that are left when that of the options has failed, in the order in which they are tried. All are coarsened
+/// in small steps: most maps that are lost in rounding are found so.
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
                                              const Deadline& deadline)
 {
@@ -59,12 +60,14 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
     return [&patch, chosen, deadline, weights] {
       Balanced_minimization minimization = chosen;
       minimization.start.weights = weights;
-      return make_minimizer(patch, minimization, deadline);
+      return make_minimizer(patch, minimization, deadline, Coarsening::BY_EIGHTHS);
     };
   };
-  std::vector<Other_start> starts{{Map_start::BLENDED_WEIGHTS, with_weights(Blended_weights())},
-                                  {Map_start::UNIFORM_WEIGHTS, with_weights(Uniform_weights())},
-                                  {Map_start::MEAN_VALUE_WEIGHTS, with_weights(Mean_value_weights())}};
+  std::vector<Other_start> starts{{Map_start::GRADUAL_COARSENING, with_weights(chosen.start.weights)}};
+  if(chosen.start.weights.target<Blended_weights>() == nullptr)
+    starts.push_back({Map_start::BLENDED_WEIGHTS, with_weights(Blended_weights())});
+  starts.push_back({Map_start::UNIFORM_WEIGHTS, with_weights(Uniform_weights())});
+  starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(Mean_value_weights())});
   if(chosen.border == Border_motion::SLIDING)
     starts.push_back({Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline] {
                         return std::make_shared<Fixed_border_first_minimizer>(patch, chosen, deadline);

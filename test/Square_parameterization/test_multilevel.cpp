@@ -238,3 +238,27 @@ TEST_CASE("a patch with long teeth, whose first map is lost in rounding, is mapp
       CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
     }
 }
+
+TEST_CASE("patches that are coarsened by eighths are four times as many, and lead to a map that is lost by halves")
+{
+  unsigned int lost = 0;
+  for(unsigned int seed : {1, 2, 3, 4}) {
+    const Patch patch = make_patch_of(crumpled_tube(150, seed));
+    Patch_sequence halves(patch, false), eighths(patch, false, Coarsening::BY_EIGHTHS);
+    halves.coarsen({std::nullopt});
+    eighths.coarsen({std::nullopt});
+    CHECK(eighths.size() > 3 * halves.size());
+    for(std::size_t level = 1; level + 1 < eighths.size(); ++level)
+      CHECK(eighths[level].number_of_vertices() >= 0.85 * eighths[level - 1].number_of_vertices() - 1);
+    CHECK(eighths[eighths.size() - 1].number_of_vertices() <= 4 + Minimizer_numbers::COARSEST);
+
+    Multilevel_minimizer::Workspace workspace, gradual_workspace;
+    lost += Multilevel_minimizer(patch).minimize(border_of(patch, 0), workspace).uv.rows() == 0;
+    const Minimized_map map = Multilevel_minimizer(patch, {}, true, {}, Coarsening::BY_EIGHTHS)
+                                  .minimize(border_of(patch, 0), gradual_workspace);
+    REQUIRE(map.uv.rows() == patch.number_of_vertices());
+    CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+    CHECK(map.report.objective == Approx(energy_by_definition(patch, map.uv, 0.3)).epsilon(1e-6));
+  }
+  CHECK(lost > 0);
+}

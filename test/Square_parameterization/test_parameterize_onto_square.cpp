@@ -304,3 +304,14 @@ TEST_CASE("a start that leads to no map gives way to the others, in their order,
   CHECK(other.start == Map_start::BLENDED_WEIGHTS); // gradual coarsening has the broken weights, too
   CHECK(other.search.best_objective < 1.2 * usual.search.best_objective);
 }
+
+TEST_CASE("a long tube, whose map is lost in rounding when the mesh loses half its vertices at a time, is mapped in "
+          "small steps")
+{
+  const Flat_mesh flat = crumpled_tube(150, 1);
+  const auto [result, uv] = map_onto_square(flat);
+  REQUIRE(result.status == SMP::OK);
+  CHECK(result.start == Map_start::GRADUAL_COARSENING);
+  CHECK(result.measures.l2 < 30);
+  CHECK(result.measures.l2 == Approx(reference_stretch(flat.points, flat.triangles, uv).l2).epsilon(1e-9));
+}

@@ -186,6 +186,32 @@ inline Flat_mesh hemisphere(int rings = 6, int sectors = 21, unsigned int seed =
   });
 }
 
+/// a tube of four sides, closed at one end, with points moved by up to half its radius: a long way from the border of four
+/// vertices to the other end
+inline Flat_mesh crumpled_tube(int rings, unsigned int seed)
+{
+  Flat_mesh mesh;
+  Random_numbers random(seed);
+  const auto add_point = [&](double x, double y, double z) {
+    mesh.points.emplace_back(x + random(-0.5, 0.5), y + random(-0.5, 0.5), z + random(-0.5, 0.5));
+  };
+  for(int i = 0; i < rings; ++i)
+    for(int j = 0; j < 4; ++j)
+      add_point(std::cos(j * PI / 2), std::sin(j * PI / 2), i * PI / 2);
+  add_point(0, 0, (rings - 1) * PI / 2);
+  for(int i = 0; i < rings; ++i)
+    for(int j = 0; j < 4; ++j) {
+      const int a = 4 * i + j, b = 4 * i + (j + 1) % 4;
+      if(i + 1 < rings) {
+        mesh.triangles.push_back({a, b, b + 4});
+        mesh.triangles.push_back({a, b + 4, a + 4});
+      } else
+        mesh.triangles.push_back({a, b, 4 * rings});
+    }
+  mesh.border = {0, 1, 2, 3};
+  return mesh;
+}
+
 /// a regular fan of `spokes` triangles around vertex 0; every `period`-th of its rim edges carries an ear, a triangle
 /// with two border edges, so that the edge is a chord
 inline Flat_mesh fan_with_ears(int spokes = 12, int period = 3)

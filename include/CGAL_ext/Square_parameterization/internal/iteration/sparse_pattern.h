@@ -43,7 +43,8 @@ inline std::vector<int> fill_reducing_order(int number_of_nodes, const std::vect
 
 /// where the values of \p pattern hold the entry at \p row and \p column
 /// \pre the pattern is compressed and has that entry
-inline int slot_of(const Sparse_matrix& pattern, int row, int column)
+template <class Number>
+int slot_of(const Eigen::SparseMatrix<Number>& pattern, int row, int column)
 {
   const int* const rows = pattern.innerIndexPtr();
   const int *begin = rows + pattern.outerIndexPtr()[column], *end = rows + pattern.outerIndexPtr()[column + 1];

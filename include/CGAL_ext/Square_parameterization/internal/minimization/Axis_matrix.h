@@ -35,21 +35,24 @@ public:
     : m_patch(patch), m_rank(std::move(rank)), m_division(division)
   {
     const int n = patch.number_of_vertices();
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Eigen::Triplet<char>> entries;
+    entries.reserve(n + patch.edges.size());
     for(int i = 0; i < n; ++i)
-      entries.emplace_back(i, i, 1.);
+      entries.emplace_back(i, i, char(1));
     for(const auto& [a, b] : patch.edges)
-      entries.emplace_back((std::min)(m_rank[a], m_rank[b]), (std::max)(m_rank[a], m_rank[b]), 1.);
+      entries.emplace_back((std::min)(m_rank[a], m_rank[b]), (std::max)(m_rank[a], m_rank[b]), char(1));
     m_pattern.resize(n, n);
     m_pattern.setFromTriplets(entries.begin(), entries.end());
     m_pattern.makeCompressed();
-    m_slots.reserve(patch.triangles.size());
+    m_diagonal.reserve(n);
+    for(int i : m_rank)
+      m_diagonal.push_back(slot_of(m_pattern, i, i));
+    m_sides.reserve(patch.triangles.size());
     for(const auto& t : patch.triangles) {
-      m_slots.emplace_back();
+      m_sides.emplace_back();
       for(int k = 0; k < 3; ++k) {
         const int i = m_rank[t[k]], j = m_rank[t[(k + 1) % 3]];
-        m_slots.back()[k] = slot_of(m_pattern, i, i);
-        m_slots.back()[3 + k] = slot_of(m_pattern, (std::min)(i, j), (std::max)(i, j));
+        m_sides.back()[k] = slot_of(m_pattern, (std::min)(i, j), (std::max)(i, j));
       }
     }
   }
@@ -77,9 +80,9 @@ public:
           const int next = (k + 1) % 3;
           if(!is_free(t[k], axis))
             continue;
-          values[m_slots[f][k]][axis] += blocks.of_axis[axis](k, k);
+          values[m_diagonal[t[k]]][axis] += blocks.of_axis[axis](k, k);
           if(is_free(t[next], axis))
-            values[m_slots[f][3 + k]][axis] += blocks.of_axis[axis](k, next);
+            values[m_sides[f][k]][axis] += blocks.of_axis[axis](k, next);
         }
     };
     double nothing = 0;
@@ -91,15 +94,16 @@ public:
     for(int v = 0; v < m_patch.number_of_vertices(); ++v)
       for(int axis = 0; axis < 2; ++axis)
         if(!is_free(v, axis))
-          values[slot_of(m_pattern, m_rank[v], m_rank[v])][axis] = 1;
+          values[m_diagonal[v]][axis] = 1;
   }
 
 private:
   const Patch& m_patch;
   std::vector<int> m_rank;
   const Patch_division* m_division;
-  Sparse_matrix m_pattern;                 // upper triangle
-  std::vector<std::array<int, 6>> m_slots; // #F: places of the entries (k, k), and then (k, k + 1), of a triangle
+  Eigen::SparseMatrix<char> m_pattern;     // upper triangle; its values are not read
+  std::vector<int> m_diagonal;             // #V: places of the entries of vertices on the diagonal
+  std::vector<std::array<int, 3>> m_sides; // #F: places of the entries (k, k + 1) of a triangle
 };
 
 } // namespace internal

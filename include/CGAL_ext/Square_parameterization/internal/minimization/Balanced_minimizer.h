@@ -16,6 +16,7 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -65,7 +66,8 @@ public:
       m_options(options),
       m_deadline(deadline)
   {
-    m_ordered_patch.edges = {}; // which the matrices alone need, while they are made
+    // the matrices alone need them, while they are made; `= {}` would keep the memory
+    m_ordered_patch.edges = std::vector<std::array<int, 2>>();
   }
 
   Balanced_minimizer(const Balanced_minimizer&) = delete;

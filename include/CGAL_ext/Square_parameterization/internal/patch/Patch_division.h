@@ -209,6 +209,7 @@ private:
 inline Patch in_order_of(const Patch_division& division, const Patch& patch)
 {
   Patch result;
+  result.points.reserve(patch.points.size());
   for(int v : division.order())
     result.points.push_back(patch.points[v]);
   const auto add_triangle = [&](int f) {
@@ -224,6 +225,7 @@ inline Patch in_order_of(const Patch_division& division, const Patch& patch)
     add_triangle(f);
   for(int v : patch.border)
     result.border.push_back(division.rank(v));
+  result.edges.reserve(patch.edges.size());
   for(const auto& [a, b] : patch.edges) {
     const int i = division.rank(a), j = division.rank(b);
     result.edges.push_back({(std::min)(i, j), (std::max)(i, j)});

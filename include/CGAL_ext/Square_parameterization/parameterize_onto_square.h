@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -160,7 +161,7 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
     const std::size_t uncut = vertex_list.size();
     const internal::Mapped_surface mapped = internal::map_surface(
-        arrays, internal::chosen_elements(options, vertex_list, const_mesh, result), options, result);
+        std::move(arrays), internal::chosen_elements(options, vertex_list, const_mesh, result), options, result);
 
     internal::apply_edits(mapped.edits, mesh, vpm, vertex_list);
     for(std::size_t k = 0; k < mapped.edits.copies.size(); ++k)

@@ -80,17 +80,20 @@ inline Opened_disk open_disk(Triangle_surface surface, const Cut& cut, Chords ch
 
 /// the disk as a patch with the given points; its border begins at the lowest border vertex. Throws `Unmappable` as
 /// `make_patch()`, also for a sphere that is cut along one edge alone: its border of two vertices is none.
-inline Patch patch_of_disk(const Triangle_surface& disk, std::vector<Eigen::Vector3d> points)
+inline Patch patch_of_disk(Triangle_surface disk, std::vector<Eigen::Vector3d> points)
 {
-  return make_patch(std::move(points), disk.triangles,
-                    disk.border_loops.empty() ? std::vector<int>() : disk.border_loops.front(), numbering_of(disk));
+  Edge_numbering numbering = numbering_of(disk);
+  return make_patch(std::move(points), std::move(disk.triangles),
+                    disk.border_loops.empty() ? std::vector<int>() : std::move(disk.border_loops.front()),
+                    std::move(numbering));
 }
 
 /// the patch that the surface is with a cut
 inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
 {
-  const Opened_disk disk = open_disk(surface, cut, Chords::ALL);
-  return patch_of_disk(disk.surface, disk.surface.points);
+  Opened_disk disk = open_disk(surface, cut, Chords::ALL);
+  std::vector<Eigen::Vector3d> points = std::move(disk.surface.points);
+  return patch_of_disk(std::move(disk.surface), std::move(points));
 }
 
 } // namespace internal

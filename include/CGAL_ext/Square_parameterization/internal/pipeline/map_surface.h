@@ -37,8 +37,8 @@ struct Mapped_surface
 /// measures the map. All of it on arrays: no mesh is touched.
 ///
 /// Throws `Unmappable` when there is no map; the report then tells what was found out before.
-Mapped_surface map_surface(const Surface_arrays& mesh, const Chosen_elements& chosen,
-                           const Square_map_settings& settings, Square_map_report& report);
+Mapped_surface map_surface(Surface_arrays mesh, const Chosen_elements& chosen, const Square_map_settings& settings,
+                           Square_map_report& report);
 
 } // namespace internal
 } // namespace CGAL_ext

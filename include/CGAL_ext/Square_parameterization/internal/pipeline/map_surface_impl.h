@@ -81,13 +81,14 @@ inline std::vector<int> border_places(int v, const Patch& patch, const Surface_e
 
 /// positions in the border loop of four vertices of the surface. Throws `Unmappable` when one is not on the border, and
 /// when they are not distinct and in counter-clockwise order.
-inline Corners border_positions(const std::array<int, 4>& corners, const Surface_arrays& surface, const Patch& patch,
-                                const Surface_edits& edits, Square_map_report& report)
+/// \param surface_vertices #V of the surface, before it was cut open
+inline Corners border_positions(const std::array<int, 4>& corners, const Surface_arrays& surface, int surface_vertices,
+                                const Patch& patch, const Surface_edits& edits, Square_map_report& report)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   std::array<std::vector<int>, 4> places;
   for(int k = 0; k < 4; ++k) {
-    places[k] = border_places(corners[k], patch, edits, static_cast<int>(surface.points.size()));
+    places[k] = border_places(corners[k], patch, edits, surface_vertices);
     if(places[k].empty()) {
       report.wrong_corner = k;
       throw Unmappable(SMP::ERROR_WRONG_PARAMETER,
@@ -201,7 +202,7 @@ inline void share_seam_samples(const Patch& patch, const std::vector<int>& origi
   report.minimization = outcome.map.report;
 }
 
-CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, const Chosen_elements& chosen,
+CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const Chosen_elements& chosen,
                                                     const Square_map_settings& settings, Square_map_report& report)
 {
   typedef std::chrono::steady_clock Clock;
@@ -212,7 +213,9 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   check_settings(settings);
   Thread_team team(settings.search_options.number_of_threads);
   const Thread_team::Scope scope(team);
+  const int surface_vertices = static_cast<int>(mesh.points.size());
   Triangle_surface surface = make_checked_surface(mesh);
+  mesh.triangles = std::vector<std::array<int, 3>>(); // from here on each has its memory as long as it is needed
   const Cut cut = cut_to_disk(surface, chosen.seams, seam_options(settings), report.cut);
   const auto condition_start = Clock::now();
   report.cut_seconds = seconds_between(start, condition_start);
@@ -223,12 +226,12 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
   Opened_disk disk = open_disk(std::move(surface), cut, settings.chords);
   report.border_edges_split = disk.edits.border_splits;
   report.chords_split = disk.edits.splits.size() - disk.edits.border_splits;
-  const Patch patch = patch_of_disk(disk.surface, points_after(disk.edits, mesh.points));
+  const Patch patch = patch_of_disk(std::move(disk.surface), points_after(disk.edits, std::move(mesh.points)));
   report.border_edges = patch.border.size();
   report.degenerate_faces = patch.degenerate_faces.size();
   std::optional<Corners> corners;
   if(chosen.corners)
-    corners = border_positions(*chosen.corners, mesh, patch, disk.edits, report);
+    corners = border_positions(*chosen.corners, mesh, surface_vertices, patch, disk.edits, report);
   const auto minimizer = make_minimizer(patch, settings.minimization, settings.search_options.deadline);
   const auto search_start = Clock::now();
   report.condition_seconds = seconds_between(condition_start, search_start);
@@ -238,9 +241,8 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(const Surface_arrays& mesh, 
       map_patch(patch, *minimizer, corners, has_seams_to_fit ? with_time_for_seams(settings) : settings, report);
   report.search_seconds = seconds_between(search_start, Clock::now());
   if(has_seams_to_fit)
-    share_seam_samples(patch,
-                       originals_in_disk(disk.edits, static_cast<int>(mesh.points.size()), patch.number_of_vertices()),
-                       settings, outcome, report);
+    share_seam_samples(patch, originals_in_disk(disk.edits, surface_vertices, patch.number_of_vertices()), settings,
+                       outcome, report);
   report.measures = measure(shapes_as_given(patch), patch.triangles, on_rectangle(outcome.map.uv, outcome.map.aspect));
   report.aspect = outcome.map.aspect;
   Mapped_surface result{std::move(disk.edits), patch.triangles, outcome.map.uv, {}};

@@ -63,9 +63,17 @@ Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceR
   auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   for(auto v : vertices(mesh))
     put(index, v, -1);
-  for(auto f : face_range)
-    for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+  std::size_t number_of_vertices = 0, number_of_faces = 0;
+  for(auto f : face_range) {
+    ++number_of_faces;
+    for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      number_of_vertices += get(index, source(h, mesh)) < 0 ? 1 : 0;
       put(index, source(h, mesh), 0);
+    }
+  }
+  result.vertices.reserve(number_of_vertices);
+  result.arrays.points.reserve(number_of_vertices);
+  result.arrays.triangles.reserve(number_of_faces);
   std::size_t place = 0;
   for(auto v : vertices(mesh)) {
     if(get(index, v) == 0) {
@@ -77,7 +85,7 @@ Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceR
     ++place;
   }
   if(place == result.vertices.size())
-    result.arrays.places.clear();
+    result.arrays.places = std::vector<std::size_t>();
   for(auto f : face_range) {
     std::array<int, 3> triangle{};
     int corner = 0;

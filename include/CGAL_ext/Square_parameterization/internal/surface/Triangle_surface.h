@@ -140,6 +140,8 @@ inline Edge_numbering numbering_of(const Triangle_surface& surface)
 {
   Edge_numbering numbering;
   numbering.edges = surface.edges;
+  numbering.triangle_edges.reserve(surface.triangles.size());
+  numbering.number_of_triangles.reserve(surface.edges.size());
   for(int h = 0; h < 3 * surface.number_of_faces(); h += 3) // edge k is opposite to corner k
     numbering.triangle_edges.push_back(
         {surface.edge_of_halfedge[h + 1], surface.edge_of_halfedge[h + 2], surface.edge_of_halfedge[h]});

@@ -49,11 +49,26 @@ public:
   /// \param tell called with each of them when it has been added; it stays where it is
   void coarsen(Shapes_kept shapes_kept, const std::function<void(const Coarse_patch&)>& tell = {})
   {
-    while(std::unique_ptr<const Coarse_patch> next = coarsened((*this)[size() - 1], shapes_kept)) {
+    while(std::unique_ptr<Coarse_patch> next = coarsened((*this)[size() - 1], shapes_kept)) {
       m_coarse.push_back(std::move(next));
       if(tell)
         tell(*m_coarse.back());
     }
+  }
+
+  /// leaves of a coarse patch its points and its border, which is all that putting vertices back needs: the memory of
+  /// the faces and the edges is freed. \pre level > 0, and the patch is not the coarsest
+  void forget_faces(std::size_t level)
+  {
+    Patch& patch = m_coarse[level - 1]->patch;
+    Patch kept;
+    kept.points = std::move(patch.points);
+    kept.border = std::move(patch.border);
+    kept.border_lengths = std::move(patch.border_lengths);
+    kept.chords = std::move(patch.chords);
+    kept.least_height = patch.least_height;
+    kept.rounding = patch.rounding;
+    patch = std::move(kept);
   }
 
   /// indicates whether all patches have the whole border
@@ -83,7 +98,7 @@ public:
 
 private:
   /// none when the patch is small or cannot be made coarser
-  std::unique_ptr<const Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept) const
+  std::unique_ptr<Coarse_patch> coarsened(const Patch& patch, Shapes_kept shapes_kept) const
   {
     const int border = static_cast<int>(patch.border.size()), interior = patch.number_of_vertices() - border;
     if(interior <= Minimizer_numbers::COARSEST)
@@ -98,7 +113,7 @@ private:
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
         Patch_coarsener coarsener(patch, least_shape_kept, keeps);
-        auto coarse = std::make_unique<const Coarse_patch>(coarsener(patch.number_of_vertices() - removable / parts));
+        auto coarse = std::make_unique<Coarse_patch>(coarsener(patch.number_of_vertices() - removable / parts));
         if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removable / parts)
           return coarse;
       } catch(const Unmappable&) {
@@ -110,7 +125,7 @@ private:
   const Patch& m_patch;
   bool m_may_coarsen_border;
   Coarsening m_coarsening;
-  std::vector<std::unique_ptr<const Coarse_patch>> m_coarse;
+  std::vector<std::unique_ptr<Coarse_patch>> m_coarse;
 };
 
 } // namespace internal

@@ -42,6 +42,13 @@ public:
   {
     Multigrid_preconditioner::Memory preconditioner;
     Uv_coordinates gradient, previous_gradient, direction, trial;
+
+    /// frees what no minimizer of a finer patch needs
+    void end_steps()
+    {
+      for(Uv_coordinates* of_step : {&gradient, &previous_gradient, &direction, &trial})
+        of_step->resize(0, 2);
+    }
   };
 
   /// of a small patch
@@ -82,6 +89,10 @@ public:
     m_preconditioner.set_coarser(Vertex_interpolation(m_given_patch, to_coarser, rank, coarser.m_order),
                                  coarser.m_preconditioner);
   }
+
+  /// indicates whether the faces and edges of the patch that was given are not needed any more: those of a large patch are
+  /// kept in another order
+  bool has_own_faces() const { return m_division.is_divided(); }
 
   /// the patch as it was given
   const Patch& patch() const { return m_given_patch; }

@@ -78,6 +78,9 @@ public:
     for(std::size_t level : {m_warm_level, m_sketch_level, m_rough_level})
       if(!m_transports[level])
         m_transports[level] = std::make_unique<Map_transport>(m_patches[level]);
+    for(std::size_t level = 1; level < m_patches.size(); ++level)
+      if(m_minimizers[level]->has_own_faces() && !m_transports[level] && !is_start(level))
+        m_patches.forget_faces(level);
   }
 
   /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
@@ -285,6 +288,12 @@ private:
     return level + 1 < m_patches.size() && m_patches[level].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED;
   }
 
+  /// indicates whether maps begin with the patch
+  bool is_start(std::size_t level) const
+  {
+    return std::any_of(m_starts.begin(), m_starts.end(), [level](const Start& start) { return start.level == level; });
+  }
+
   void prepare(Workspace& workspace) const
   {
     workspace.levels.resize(m_minimizers.size());
@@ -354,6 +363,7 @@ private:
       descent.work += m_minimizers[level]->relax(uv);
       Minimized_map map = m_minimizers[level]->minimize({std::move(uv), {}, {}}, Minimizer_numbers::COARSE_TOLERANCE,
                                                         workspace.levels[level]);
+      workspace.levels[level].end_steps();
       descent.work += map.work;
       const bool is_early = m_patches[level].number_of_vertices() <
                             Minimizer_numbers::LARGEST_GIVEN_UP * m_patches[to].number_of_vertices();

@@ -33,8 +33,8 @@ public:
     bool is_set = false;       ///< `factorize()` has succeeded since this was last false
     Memory* coarser = nullptr; ///< of the next coarser patch, if there is one
 
-    Axis_preconditioner::Factors factors; // of a small patch
-    Axis_matrix::Matrix matrix;           // of a large one
+    std::optional<Axis_preconditioner::Factors> factors; // of a small patch
+    Axis_matrix::Matrix matrix;                          // of a large one
     Free_coordinates is_free;
     Uv_coordinates residual, solution, correction, coarse;
   };
@@ -65,8 +65,10 @@ public:
                  Memory& memory) const
   {
     memory.is_free = is_free;
+    if(m_direct && !memory.factors)
+      memory.factors.emplace();
     memory.is_set =
-        m_direct ? m_direct->factorize(energy, uv, is_free, memory.factors) : set_matrix(energy, uv, is_free, memory);
+        m_direct ? m_direct->factorize(energy, uv, is_free, *memory.factors) : set_matrix(energy, uv, is_free, memory);
     return memory.is_set;
   }
 
@@ -74,7 +76,7 @@ public:
   void apply(Memory& memory, Uv_coordinates& x) const
   {
     if(m_direct)
-      m_direct->apply(memory.factors, x);
+      m_direct->apply(*memory.factors, x);
     else
       cycle(memory, x);
   }

@@ -360,6 +360,8 @@ private:
                         Workspace& workspace, Descent& descent) const
   {
     for(; level > to && uv.rows() > 0; --level) {
+      if(!is_large(level) && level + 1 < m_patches.size()) // it is factored itself
+        workspace.levels[level + 1].preconditioner.factors.reset();
       descent.work += m_minimizers[level]->relax(uv);
       Minimized_map map = m_minimizers[level]->minimize({std::move(uv), {}, {}}, Minimizer_numbers::COARSE_TOLERANCE,
                                                         workspace.levels[level]);

@@ -184,7 +184,7 @@ TEST_CASE("a vertex is in a later wave than the vertices round it, and waves mak
       wave[v] = static_cast<int>(w);
     }
   for(const Coarse_patch::Removal& removal : coarse.removals)
-    for(int v : removal.ring)
+    for(int v : coarse.ring(removal))
       CHECK(wave[v] < wave[removal.vertex]);
 
   const Uv_coordinates coarse_uv = some_map(coarse.patch);
@@ -195,7 +195,7 @@ TEST_CASE("a vertex is in a later wave than the vertices round it, and waves mak
     in_turn.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
   Vertex_insertion insertion(patch, 0.3, {1, 1}, in_turn);
   for(std::size_t i = coarse.removals.size(); i-- > 0;)
-    REQUIRE(insertion.insert_inside(coarse.removals[i].vertex, coarse.removals[i].ring));
+    REQUIRE(insertion.insert_inside(coarse.removals[i].vertex, coarse.ring(coarse.removals[i])));
   CHECK(uv == in_turn);
 }
 

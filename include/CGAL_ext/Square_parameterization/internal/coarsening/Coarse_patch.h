@@ -15,6 +15,26 @@
 namespace CGAL_ext {
 namespace internal {
 
+/// the neighbors of a vertex, counter-clockwise; from the next to the previous border vertex when it is on the border. It
+/// refers to a list that holds them.
+class Vertex_ring
+{
+public:
+  Vertex_ring(const int* begin, std::size_t size) : m_begin(begin), m_size(size) {}
+  Vertex_ring(const std::vector<int>& ring) : Vertex_ring(ring.data(), ring.size()) {}
+
+  std::size_t size() const { return m_size; }
+  const int* begin() const { return m_begin; }
+  const int* end() const { return m_begin + m_size; }
+  int operator[](std::size_t i) const { return m_begin[i]; }
+  int front() const { return m_begin[0]; }
+  int back() const { return m_begin[m_size - 1]; }
+
+private:
+  const int* m_begin;
+  std::size_t m_size;
+};
+
 /// a patch with fewer vertices, and how to get back
 struct Coarse_patch
 {
@@ -22,11 +42,10 @@ struct Coarse_patch
   struct Removal
   {
     int vertex, target;
-    std::vector<int> ring; ///< the neighbors of the vertex then, counter-clockwise; from the next to the previous
-                           ///< border vertex when it is on the border
-    std::vector<int> target_ring; ///< those of the target then, if both are on the border; else empty
+    std::size_t first;               ///< place of the rings in `rings`: that of the vertex, and then that of the target
+    int ring_size, target_ring_size; ///< the latter is 0 unless both are on the border
 
-    bool is_on_border() const { return !target_ring.empty(); }
+    bool is_on_border() const { return target_ring_size > 0; }
   };
 
   /// vertices that can be put back at a time, each when those of earlier waves are: none is in the ring of another
@@ -41,17 +60,40 @@ struct Coarse_patch
   Patch patch;
   std::vector<int> fine_vertex;  ///< per vertex of `patch`, the one of the fine patch
   std::vector<Removal> removals; ///< in the order in which they were made
+  std::vector<int> rings;        ///< of all removals, in one list: a list for each would take twice the memory
   Waves waves;                   ///< of the removals
+
+  /// the ring of the vertex when it was taken out
+  Vertex_ring ring(const Removal& removal) const
+  {
+    return {rings.data() + removal.first, std::size_t(removal.ring_size)};
+  }
+
+  /// the ring of the target then; empty unless both are on the border
+  Vertex_ring target_ring(const Removal& removal) const
+  {
+    return {rings.data() + removal.first + removal.ring_size, std::size_t(removal.target_ring_size)};
+  }
+
+  /// \param target_ring empty unless both are on the border
+  void add_removal(int vertex, int target, const std::vector<int>& ring, const std::vector<int>& target_ring)
+  {
+    removals.push_back(
+        {vertex, target, rings.size(), static_cast<int>(ring.size()), static_cast<int>(target_ring.size())});
+    rings.insert(rings.end(), ring.begin(), ring.end());
+    rings.insert(rings.end(), target_ring.begin(), target_ring.end());
+  }
 };
 
 /// the waves in which removals can be undone
-inline Coarse_patch::Waves waves_of(const std::vector<Coarse_patch::Removal>& removals, int number_of_fine_vertices)
+inline Coarse_patch::Waves waves_of(const Coarse_patch& coarse, int number_of_fine_vertices)
 {
+  const std::vector<Coarse_patch::Removal>& removals = coarse.removals;
   std::vector<int> wave(number_of_fine_vertices, -1); // that of a vertex which is not removed comes first
   Coarse_patch::Waves waves;
   for(std::size_t i = removals.size(); i-- > 0;) {
     int last = -1; // wave of the ring
-    for(int w : removals[i].ring)
+    for(int w : coarse.ring(removals[i]))
       last = (std::max)(last, wave[w]);
     wave[removals[i].vertex] = last + 1;
     if(waves.first.size() < static_cast<std::size_t>(last) + 3)

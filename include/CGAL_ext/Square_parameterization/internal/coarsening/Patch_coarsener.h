@@ -62,7 +62,8 @@ public:
     Coarse_patch coarse;
     enter_all();
     int count = m_fine.number_of_vertices();
-    std::vector<int> ring;
+    coarse.removals.reserve((std::max)(0, count - target));
+    std::vector<int> ring, target_ring;
     while(count > target && !m_queue.empty()) {
       const Collapse collapse = m_queue.top();
       m_queue.pop();
@@ -73,7 +74,7 @@ public:
         push_next(collapse);
         continue;
       }
-      std::vector<int> target_ring;
+      target_ring.clear();
       if(is_border(collapse.from))
         find_ring(collapse.to, target_ring);
       perform(collapse.from, collapse.to);
@@ -82,10 +83,10 @@ public:
         ++m_changes[w];
         push_cheapest(w);
       }
-      coarse.removals.push_back({collapse.from, collapse.to, ring, std::move(target_ring)});
+      coarse.add_removal(collapse.from, collapse.to, ring, target_ring);
     }
     gather(coarse);
-    coarse.waves = waves_of(coarse.removals, m_fine.number_of_vertices());
+    coarse.waves = waves_of(coarse, m_fine.number_of_vertices());
     return coarse;
   }
 

@@ -31,7 +31,7 @@ public:
 
   /// puts an interior vertex into the middle of its ring, or into the kernel of the ring, and then where the energy is
   /// low. Returns false when the kernel is lost in rounding.
-  bool insert_inside(int vertex, const std::vector<int>& ring)
+  bool insert_inside(int vertex, const Vertex_ring& ring)
   {
     std::vector<Eigen::RowVector2d> ring_uv;
     Eigen::RowVector2d position(0, 0);
@@ -53,7 +53,7 @@ public:
 
   /// puts a border vertex on the side of the square between \p from, which sees all of \p ring when the vertex is close
   /// to it, and \p to: at its place by length, or nearer. Returns false when that is lost in rounding.
-  bool insert_on_side(int vertex, const std::vector<int>& ring, int from, int to)
+  bool insert_on_side(int vertex, const Vertex_ring& ring, int from, int to)
   {
     constexpr double LEAST_SHARE = Minimizer_numbers::LEAST_SHARE_OF_SIDE;
     m_star.clear(m_uv.row(from));
@@ -94,10 +94,11 @@ private:
   Uv_coordinates& m_uv;
 };
 
-/// puts the vertex of one removal back; false when it is lost in rounding. The removal is not that of a corner.
-inline bool insert_vertex(const Coarse_patch::Removal& removal, Vertex_insertion& insertion)
+/// puts the vertex of removal \p i back; false when it is lost in rounding. The removal is not that of a corner.
+inline bool insert_vertex(const Coarse_patch& coarse, std::size_t i, Vertex_insertion& insertion)
 {
-  const std::vector<int>& ring = removal.ring;
+  const Coarse_patch::Removal& removal = coarse.removals[i];
+  const Vertex_ring ring = coarse.ring(removal);
   if(!removal.is_on_border())
     return insertion.insert_inside(removal.vertex, ring);
   return insertion.insert_on_side(removal.vertex, ring, removal.target,
@@ -105,9 +106,10 @@ inline bool insert_vertex(const Coarse_patch::Removal& removal, Vertex_insertion
 }
 
 /// the same for the removal of a corner: it gets its place back, and the vertex that stood there moves on
-inline bool insert_corner(const Coarse_patch::Removal& removal, Vertex_insertion& insertion, Uv_coordinates& uv)
+inline bool insert_corner(const Coarse_patch& coarse, std::size_t i, Vertex_insertion& insertion, Uv_coordinates& uv)
 {
-  const std::vector<int>& ring = removal.target_ring;
+  const Coarse_patch::Removal& removal = coarse.removals[i];
+  const Vertex_ring ring = coarse.target_ring(removal);
   uv.row(removal.vertex) = uv.row(removal.target);
   return insertion.insert_on_side(removal.target, ring, removal.vertex,
                                   ring[0] == removal.vertex ? ring.back() : ring[0]);
@@ -141,7 +143,7 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
           [&](std::size_t begin, std::size_t end) {
             Vertex_insertion insertion(fine, balance, to_rectangle, uv);
             for(std::size_t i = begin; i < end && !is_lost; ++i)
-              if(!insert_vertex(coarse.removals[coarse.waves.removals[first + i]], insertion))
+              if(!insert_vertex(coarse, coarse.waves.removals[first + i], insertion))
                 is_lost = true;
           },
           VERTICES_AT_A_TIME);
@@ -150,8 +152,8 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
     Vertex_insertion insertion(fine, balance, to_rectangle, uv);
     for(std::size_t i = coarse.removals.size(); i-- > 0 && !is_lost;)
       is_lost = !(std::binary_search(removed_corners.begin(), removed_corners.end(), i)
-                      ? insert_corner(coarse.removals[i], insertion, uv)
-                      : insert_vertex(coarse.removals[i], insertion));
+                      ? insert_corner(coarse, i, insertion, uv)
+                      : insert_vertex(coarse, i, insertion));
   }
   if(is_lost)
     return {};

@@ -32,7 +32,7 @@ public:
       m_kept.push_back(rank[coarse.fine_vertex[v]]);
     for(int i : coarse.waves.removals) {
       m_removed.push_back(rank[coarse.removals[i].vertex]);
-      add_weights(fine, coarse.removals[i], rank);
+      add_weights(fine, coarse, coarse.removals[i], rank);
       m_first.push_back(m_neighbors.size());
     }
   }
@@ -72,10 +72,11 @@ public:
   }
 
 private:
-  void add_weights(const Patch& fine, const Coarse_patch::Removal& removal, const std::vector<int>& rank)
+  void add_weights(const Patch& fine, const Coarse_patch& coarse, const Coarse_patch::Removal& removal,
+                   const std::vector<int>& rank)
   {
     const Eigen::Vector3d& center = fine.points[removal.vertex];
-    const std::vector<int>& ring = removal.ring;
+    const Vertex_ring ring = coarse.ring(removal);
     std::vector<double> weights(ring.size(), 0.);
     const auto distance = [&](std::size_t i) { return (fine.points[ring[i]] - center).norm(); };
     if(removal.is_on_border()) {

@@ -72,25 +72,25 @@ public:
     const Eigen::RowVector2d to_rectangle = energy.scale(uv);
     Number_per_axis* const values = matrix.valuePtr();
     std::fill_n(values, matrix.nonZeros(), Number_per_axis());
-    const auto blocks_of = [&](int f) { return energy.hessian_blocks(f, uv, to_rectangle); };
-    const auto add = [&](int f, const Balanced_energy::Hessian_blocks& blocks, double) {
+    const auto entries_of = [&](int f) { return Entries(energy.hessian_blocks(f, uv, to_rectangle)); };
+    const auto add = [&](int f, const Entries& entries, double) {
       const auto& t = m_patch.triangles[f];
       for(int axis = 0; axis < 2; ++axis)
         for(int k = 0; k < 3; ++k) {
           const int next = (k + 1) % 3;
           if(!is_free(t[k], axis))
             continue;
-          values[m_diagonal[t[k]]][axis] += blocks.of_axis[axis](k, k);
+          values[m_diagonal[t[k]]][axis] += entries.diagonal[axis][k];
           if(is_free(t[next], axis))
-            values[m_sides[f][k]][axis] += blocks.of_axis[axis](k, next);
+            values[m_sides[f][k]][axis] += entries.sides[axis][k];
         }
     };
     double nothing = 0;
     if(m_division == nullptr || !m_division->is_divided())
       for(int f = 0; f < m_patch.number_of_faces(); ++f)
-        add(f, blocks_of(f), nothing);
+        add(f, entries_of(f), nothing);
     else
-      for_divided_triangles<Balanced_energy::Hessian_blocks>(*m_division, nothing, blocks_of, add);
+      for_divided_triangles<Entries>(*m_division, nothing, entries_of, add);
     for(int v = 0; v < m_patch.number_of_vertices(); ++v)
       for(int axis = 0; axis < 2; ++axis)
         if(!is_free(v, axis))
@@ -98,6 +98,22 @@ public:
   }
 
 private:
+  /// the upper triangles of the blocks of a triangle, on and beside the diagonal
+  struct Entries
+  {
+    Entries() = default;
+    explicit Entries(const Balanced_energy::Hessian_blocks& blocks)
+    {
+      for(int axis = 0; axis < 2; ++axis)
+        for(int k = 0; k < 3; ++k) {
+          diagonal[axis][k] = blocks.of_axis[axis](k, k);
+          sides[axis][k] = blocks.of_axis[axis](k, (k + 1) % 3);
+        }
+    }
+
+    std::array<std::array<double, 3>, 2> diagonal, sides; // entry k of the sides is (k, k + 1)
+  };
+
   const Patch& m_patch;
   std::vector<int> m_rank;
   const Patch_division* m_division;

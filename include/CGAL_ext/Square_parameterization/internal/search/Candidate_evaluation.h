@@ -134,7 +134,7 @@ public:
   /// indicates whether no candidate was mapped, and no call was cancelled
   bool is_untouched() const { return m_samples.empty() && !m_is_cancelled; }
 
-  /// frees the memory of the threads. \pre no more candidates are evaluated
+  /// frees the memory of the threads, which are given new memory where more candidates are evaluated
   void release_workers() { m_workers.clear(); }
 
   /// what has been found, but for the corners

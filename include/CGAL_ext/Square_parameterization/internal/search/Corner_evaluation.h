@@ -93,7 +93,7 @@ public:
     return objectives;
   }
 
-  /// frees the memory of the threads. \pre no more corners are mapped
+  /// frees the memory of the threads, which are given new memory where more corners are mapped
   void release_workers() { m_workers.clear(); }
 
   /// the number of choices evaluated

@@ -148,7 +148,16 @@ private:
     std::vector<const Uv_coordinates*> warm_starts;
     for(const Corners& corners : ends)
       warm_starts.push_back(coarse.warm_start(corners));
+    release_coarse_workers();
     m_maps(ends, warm_starts);
+  }
+
+  /// frees the memory for sketches and rough maps: what is mapped next needs more than they
+  void release_coarse_workers()
+  {
+    for(std::optional<Corner_evaluation>* coarse : {&m_sketches, &m_rough_maps})
+      if(*coarse)
+        (*coarse)->release_workers();
   }
 
   const Patch& m_patch;

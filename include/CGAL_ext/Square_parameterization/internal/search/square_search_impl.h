@@ -74,6 +74,8 @@ public:
     if(m_options.visitor != nullptr)
       m_options.visitor->start_search(static_cast<std::size_t>(m_number_of_candidates));
     ask(problem());
+    if(m_sketches)
+      m_sketches->release_workers();
     if(!has_map() && m_sketches && has_passed(m_sketch_deadline))
       m_settled_for = m_sketches->report().best_candidate; // the time for sketches ended before the search did
     const bool is_moved = move_corners();

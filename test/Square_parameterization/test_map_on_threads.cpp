@@ -199,6 +199,22 @@ TEST_CASE("a vertex is in a later wave than the vertices round it, and waves mak
   CHECK(uv == in_turn);
 }
 
+TEST_CASE("vertices are put back into a patch of which the faces were forgotten as into a whole one")
+{
+  const Patch patch = make_patch_of(noisy_height_field(60));
+  Patch_sequence whole(patch, true), short_of_faces(patch, true);
+  for(Patch_sequence* sequence : {&whole, &short_of_faces})
+    sequence->coarsen({0.7});
+  REQUIRE(whole.size() > 2);
+  short_of_faces.forget_faces(1);
+  CHECK(short_of_faces[1].triangles.capacity() == 0);
+  CHECK(short_of_faces[1].edges.capacity() == 0);
+  CHECK(short_of_faces[1].border == whole[1].border);
+  const Uv_coordinates coarse_uv = some_map(whole[2]);
+  CHECK(*insert_vertices(short_of_faces[1], short_of_faces.coarse(2), coarse_uv, {}, 0.3) ==
+        *insert_vertices(whole[1], whole.coarse(2), coarse_uv, {}, 0.3));
+}
+
 TEST_CASE("the map of a large patch has the same bytes on any number of threads")
 {
   const Patch patch = make_patch_of(noisy_height_field(150)); // larger than what is factored

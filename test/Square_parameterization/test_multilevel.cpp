@@ -4,6 +4,7 @@
 #include "multilevel_cases.h"
 
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <catch2/catch.hpp>
@@ -259,6 +260,33 @@ TEST_CASE("patches that are coarsened by eighths are four times as many, and lea
     REQUIRE(map.uv.rows() == patch.number_of_vertices());
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
     CHECK(map.report.objective == Approx(energy_by_definition(patch, map.uv, 0.3)).epsilon(1e-6));
+  }
+  CHECK(lost > 0);
+}
+
+TEST_CASE("where most vertices are on the border, patches that are coarsened by eighths get smaller, too")
+{
+  const Patch patch = make_patch_of(rectangle(200, 2, 100, 1, 5));
+  Patch_sequence eighths(patch, false, Coarsening::BY_EIGHTHS);
+  eighths.coarsen({std::nullopt});
+  REQUIRE(eighths.size() > 4);
+  for(std::size_t level = 1; level + 1 < eighths.size(); ++level) {
+    const int before = eighths[level - 1].number_of_vertices();
+    const int removable = before - static_cast<int>(patch.border.size());
+    const int wanted = (std::min)(before / Minimizer_numbers::LARGEST_PART_KEPT, removable / 2);
+    CHECK(before - eighths[level].number_of_vertices() >= Minimizer_numbers::LEAST_REMOVED * wanted);
+  }
+}
+
+TEST_CASE("what leads to no map counts as work")
+{
+  unsigned int lost = 0;
+  for(unsigned int seed : {1, 2, 3, 4}) {
+    const Patch patch = make_patch_of(crumpled_tube(150, seed));
+    const Minimized_map map =
+        make_minimizer(patch, Balanced_minimization())->make_worker()(border_of(patch, 0), nullptr);
+    CHECK(map.work > 10L * patch.number_of_vertices());
+    lost += map.uv.rows() == 0;
   }
   CHECK(lost > 0);
 }

@@ -107,19 +107,26 @@ private:
     const bool keeps =
         !m_may_coarsen_border || !is_worth_while || border < Minimizer_numbers::LARGEST_BORDER * interior;
     const int removable = keeps ? interior : interior + border;
-    const bool is_gradual =
-        m_coarsening == Coarsening::BY_EIGHTHS && patch.number_of_vertices() <= Minimizer_numbers::LARGEST_FACTORED;
-    const int parts = is_gradual ? 8 : 2;
+    const int removed = number_to_remove(patch.number_of_vertices(), removable);
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
         Patch_coarsener coarsener(patch, least_shape_kept, keeps);
-        auto coarse = std::make_unique<Coarse_patch>(coarsener(patch.number_of_vertices() - removable / parts));
-        if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removable / parts)
+        auto coarse = std::make_unique<Coarse_patch>(coarsener(patch.number_of_vertices() - removed));
+        if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removed)
           return coarse;
       } catch(const Unmappable&) {
         // too degenerate to be a patch: the finer one does without
       }
     return nullptr;
+  }
+
+  /// of so many vertices, of which so many can be removed: half of those, or an eighth, but not so few that patch after
+  /// patch is as large as the one before, as they would be where hardly any vertex is left but those of the border
+  int number_to_remove(int vertices, int removable) const
+  {
+    const bool is_gradual = m_coarsening == Coarsening::BY_EIGHTHS && vertices <= Minimizer_numbers::LARGEST_FACTORED;
+    const int few = (std::max)(removable / 8, vertices / Minimizer_numbers::LARGEST_PART_KEPT);
+    return is_gradual ? (std::min)(few, removable / 2) : removable / 2;
   }
 
   const Patch& m_patch;

@@ -28,6 +28,10 @@ struct Minimizer_numbers
   /// must lack so many. Less: many patches that are hardly coarser than the ones before.
   static constexpr double LEAST_REMOVED = 0.4;
 
+  /// vertices of a patch per vertex that the next coarser one lacks, at most. More: dozens of patches that are as large as
+  /// each other where most vertices are on the border.
+  static constexpr int LARGEST_PART_KEPT = 16;
+
   /// border vertices per interior vertex from which on the border is made coarse, too: what is half border cannot be
   /// halved otherwise
   static constexpr double LARGEST_BORDER = 0.5;
@@ -195,6 +199,10 @@ struct Minimizer_numbers
   /// energy of a map that is to be delivered above which other starts are tried: a stretch of the order of a thousand.
   /// Less: surfaces that are stretched a hundred times whatever one does are mapped four times.
   static constexpr double HOPELESS_RESULT = 1e6;
+
+  /// energy of a map that is compared, above which it stays above `HOPELESS_RESULT` however long it is minimised: other
+  /// starts are tried before. Less: a map that would do is left for one that is a little worse.
+  static constexpr double LOST_RESULT = 1e9;
 
   /// share of the vertices of the patch to be mapped, below which a coarse patch may be given up for its energy: of
   /// later ones most of the work is done

@@ -44,7 +44,7 @@ public:
       m_is_border[v] = true;
   }
 
-  /// vertices visited
+  /// in vertices visited by a sweep: each triangle that is looked at round a vertex takes as long as one of them; measured
   long work() const { return m_work; }
 
   /// returns whether all triangles are counter-clockwise, by exact arithmetic
@@ -54,10 +54,11 @@ public:
       const std::vector<int> vertices = vertices_near_bad_triangles(sweep / Minimizer_numbers::REPAIR_SWEEPS_PER_RING);
       if(vertices.empty())
         return true;
-      m_work += static_cast<long>(vertices.size());
       for(int v : vertices)
-        if(!m_is_border[v])
+        if(!m_is_border[v]) {
+          m_work += static_cast<long>(m_star[v].size());
           move(v);
+        }
     }
     return std::find(m_is_bad.begin(), m_is_bad.end(), true) == m_is_bad.end();
   }

@@ -39,7 +39,7 @@ public:
       if(has_chord_on_a_side(m_patch, border_uv))
         return Minimized_map();
       Minimized_map map = m_minimizer.minimize(border_uv, *workspace, warm_start);
-      return checked(map.uv.rows() == 0 ? map_with_whole_border(border_uv) : std::move(map));
+      return checked(map.uv.rows() == 0 ? map_with_whole_border(border_uv, map.work) : std::move(map));
     };
   }
 
@@ -88,20 +88,25 @@ private:
     const auto rows = border_uv.rowwise();
     const bool is_square = std::all_of(rows.begin(), rows.end(), is_on_unit_square);
     return finish(is_square || m_minimizer.keeps_border() ? make_worker()(border_uv, nullptr)
-                                                          : checked(map_with_whole_border(border_uv)));
+                                                          : checked(map_with_whole_border(border_uv, 0)));
   }
 
   /// what a coarse border has no room for, or would let slide, is mapped without. Without uv where the border is kept
   /// anyway, and when there is no time
-  Minimized_map map_with_whole_border(const Uv_coordinates& border_uv) const
+  /// \param work_before what was tried in vain has cost, in vertices visited
+  Minimized_map map_with_whole_border(const Uv_coordinates& border_uv, long work_before) const
   {
-    if(m_minimizer.keeps_border() || has_passed(m_deadline))
-      return Minimized_map();
+    if(m_minimizer.keeps_border() || has_passed(m_deadline)) {
+      Minimized_map none;
+      none.work = work_before;
+      return none;
+    }
     std::call_once(m_whole_border_made, [this] {
       m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_minimization, false, m_deadline, m_coarsening);
     });
     Multilevel_minimizer::Workspace workspace;
     Minimized_map map = m_whole_border->minimize(border_uv, workspace);
+    map.work += work_before;
     map.warm_start.resize(0, 2); // a map of a patch that is not among those of the others
     return map;
   }

@@ -140,7 +140,8 @@ TEST_CASE("a map with given corners whose deadline passes is marked")
   const Patch patch = patch_without_chords(without_triangles(ellipsoid(4, 2), {0}));
   const auto minimizer = make_minimizer(patch, Balanced_minimization(), in_seconds(-1));
   const int quarter = static_cast<int>(patch.border.size() / 4);
-  const Search_outcome outcome = map_with_corners(patch, *minimizer, {0, quarter, 2 * quarter, 3 * quarter});
+  Search_outcome outcome = map_with_corners(patch, *minimizer, {0, quarter, 2 * quarter, 3 * quarter});
+  finish_map(*minimizer, nullptr, outcome);
   CHECK(outcome.report.is_cancelled);
   CHECK(outcome.report.best_candidate);
 }

@@ -28,6 +28,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -191,6 +192,38 @@ TEST_CASE("a search with a number out of its range is refused")
   const Result refused = map_onto_square(noisy_height_field(7), options).result;
   CHECK(refused.status == SMP::ERROR_WRONG_PARAMETER);
   CHECK(refused.message == "a number of the corner search is out of its range");
+}
+
+TEST_CASE("a strategy that has ended early for the work, without a map, is asked once more and not told of it")
+{
+  Flat_mesh flat = unit_square(4);
+  // a flap, whose chord has both ends on one side for the first candidate: that has no map
+  REQUIRE(flat.border[1] == 1);
+  REQUIRE(flat.border[2] == 2);
+  flat.points.emplace_back(flat.points[1] - Eigen::Vector3d(0, 0.1, 0));
+  flat.points.emplace_back(flat.points[2] - Eigen::Vector3d(0, 0.1, 0));
+  const int left = static_cast<int>(flat.points.size()) - 2, right = left + 1;
+  flat.triangles.push_back({2, 1, left});
+  flat.triangles.push_back({2, left, right});
+  flat.border.insert(flat.border.begin() + 2, {left, right});
+
+  int calls = 0, told = 0;
+  Square_map_options<Surface_mesh> options;
+  options.chords = Chords::EARS;
+  options.search_options.moves_corners = false;
+  options.search = Any_corner_search{[&](const Corner_search_problem& problem) {
+    ++calls;
+    if(problem.work && problem.work() >= 0)
+      ++told;
+    std::vector<int> candidates(problem.work ? 1 : problem.number_of_candidates);
+    std::iota(candidates.begin(), candidates.end(), 0);
+    problem.objective_of(candidates);
+  }};
+  const Result result = map_onto_square(flat, options).result;
+  CHECK(result.status == SMP::OK);
+  CHECK(result.start == Map_start::AS_CHOSEN);
+  CHECK(calls > 2); // other starts come first
+  CHECK(calls == told + 1);
 }
 
 TEST_CASE("the visitor of the border is told of the search and, after it, of the minimization")

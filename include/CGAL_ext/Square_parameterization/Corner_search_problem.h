@@ -54,9 +54,9 @@ struct Corner_search_problem
 
   std::vector<double> border_lengths; ///< one per border edge: edge k joins vertices k and k + 1 of the loop
 
-  /// what all maps and sketches so far have cost, in sweeps over the vertices of the mesh: an even surface takes about
-  /// twenty for an evaluation, one that is stretched tens of times hundreds. It does not depend on the number of threads
-  /// nor on the speed of the machine. Empty when the minimizer does not tell.
+  /// what all maps and sketches so far have cost, in sweeps over the mesh: an even surface takes about twenty for an
+  /// evaluation, one that is stretched tens of times hundreds. It does not depend on the number of threads nor on the speed
+  /// of the machine. Empty when the minimizer does not tell, and when a search is repeated that found no map for the work.
   std::function<double()> work;
 
   int number_of_vertices = 1; ///< of the mesh that is mapped

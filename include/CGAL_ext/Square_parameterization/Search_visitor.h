@@ -45,12 +45,11 @@ public:
   /// them of a coarser mesh; their number is not known before
   virtual void after_corner_move() {}
 
-  /// called after all of these, before the map of the best candidate is minimised to the end; as often as
-  /// `start_search()`, unless a search is refused or left by an exception
+  /// called after all of these, before the best map is minimised to the end, unless a search is refused or left by an
+  /// exception; once more where other starts are tried after that
   virtual void start_minimization() {}
 
-  /// called after the map of the best candidate is made, as often as `start_search()`; not when a search is refused or
-  /// left by an exception
+  /// called after that, as often, with the search that found the map
   virtual void end_search(const Search_report& /* report */) {}
 
   /// called once, after all of these, with the minimization that made the best map: the delivered one, unless another

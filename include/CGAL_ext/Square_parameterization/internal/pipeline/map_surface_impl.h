@@ -115,50 +115,74 @@ inline Corners border_positions(const std::array<int, 4>& corners, const Surface
                        : "none of " + evaluations + " evaluated" + candidates + " has a one-to-one map");
 }
 
-/// maps the patch with the given corners, or with those of a search
+/// maps the patch with the given corners, or with those of a search, as well as comparing needs
 inline Search_outcome map_from_start(const Patch& patch, const Map_minimizer& minimizer,
                                      const std::optional<Corners>& corners, const Square_map_settings& settings)
 {
   return corners ? map_with_corners(patch, minimizer, *corners)
-                 : search_square_map(patch, minimizer, settings.search, settings.search_options);
+                 : search_corners(patch, minimizer, settings.search, settings.search_options);
 }
 
 /// indicates whether the search has found no map, or one that must be the fault of its start
-inline bool is_hopeless(const Search_outcome& outcome)
+/// \param least energy of such a map
+inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_numbers::HOPELESS_RESULT)
 {
-  return !(outcome.map.report.objective < Minimizer_numbers::HOPELESS_RESULT);
+  return !(outcome.map.report.objective < least);
 }
 
-/// replaces the outcome by the best from the other starts while it is hopeless
-inline void try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
-                             const Square_map_settings& settings, Search_outcome& outcome, Map_start& start)
+/// what other starts lead to
+struct Other_outcome
 {
+  Search_outcome outcome = {};
+  Map_start start = Map_start::AS_CHOSEN;
+};
+
+/// the best outcome of the other starts, of which no more are tried as soon as one is not hopeless; `finish_map()` is to
+/// follow
+inline Other_outcome best_of_other_starts(const Patch& patch, const std::optional<Corners>& corners,
+                                          const Square_map_settings& settings)
+{
+  Other_outcome best;
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
   if(balanced == nullptr)
-    return;
-  for(const Other_start& other : other_starts(patch, *balanced, settings.search_options.deadline)) {
-    if(!is_hopeless(outcome) || outcome.report.is_cancelled || has_passed(settings.search_options.deadline))
-      return;
+    return best;
+  const Deadline& deadline = settings.search_options.deadline;
+  bool is_cancelled = false;
+  for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
+    if(!is_hopeless(best.outcome) || is_cancelled || has_passed(deadline))
+      break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
-    const bool is_better = next.map.report.objective < outcome.map.report.objective;
-    if(is_better) {
-      next.report.is_cancelled |= outcome.report.is_cancelled;
-      outcome = std::move(next);
-      start = other.start;
-    } else
-      outcome.report.is_cancelled |= next.report.is_cancelled;
+    is_cancelled = next.report.is_cancelled;
+    if(next.map.report.objective < best.outcome.map.report.objective)
+      best = {std::move(next), other.start};
   }
+  best.outcome.report.is_cancelled = is_cancelled || has_passed(deadline);
+  return best;
 }
 
-/// maps the patch with the given corners, or with those of a search, from the first start that leads to a good map.
-/// Throws `Unmappable` when there is no map.
+/// maps the patch with the given corners, or with those of a search, from the first start that leads to a good map, which
+/// is minimised to the end. Throws `Unmappable` when there is no map.
 inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimizer,
                                 const std::optional<Corners>& corners, const Square_map_settings& settings,
                                 Square_map_report& report)
 {
+  Search_visitor* const visitor = corners ? nullptr : settings.search_options.visitor;
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
-  if(settings.tries_other_starts)
-    try_other_starts(patch, corners, settings, outcome, report.start);
+  bool is_finished = !is_hopeless(outcome, Minimizer_numbers::LOST_RESULT);
+  if(is_finished)
+    finish_map(minimizer, visitor, outcome);
+  if(settings.tries_other_starts && is_hopeless(outcome) && !outcome.report.is_cancelled) {
+    Other_outcome other = best_of_other_starts(patch, corners, settings);
+    outcome.report.is_cancelled = other.outcome.report.is_cancelled;
+    if(other.outcome.map.report.objective < outcome.map.report.objective) {
+      outcome = std::move(other.outcome);
+      report.start = other.start;
+      is_finished = false;
+    } else if(outcome.map.uv.rows() == 0 && outcome.heeds_work && !outcome.report.is_cancelled)
+      outcome = search_corners(patch, minimizer, settings.search, settings.search_options, false); // the last resort
+  }
+  if(!is_finished)
+    finish_map(minimizer, visitor, outcome);
   report.search = outcome.report;
   report.minimization = outcome.map.report;
   if(settings.search_options.visitor != nullptr)

@@ -12,7 +12,6 @@
 
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -20,31 +19,7 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// a minimizer that maps with a fixed border, and lets it slide in the map that is delivered
-class Fixed_border_first_minimizer : public Map_minimizer
-{
-public:
-  Fixed_border_first_minimizer(const Patch& patch, Balanced_minimization sliding, const Deadline& deadline)
-    : m_sliding(make_minimizer(patch, sliding, deadline, Coarsening::BY_EIGHTHS))
-  {
-    sliding.border = Border_motion::FIXED;
-    m_fixed = make_minimizer(patch, sliding, deadline, Coarsening::BY_EIGHTHS);
-  }
-
-  Worker make_worker() const override { return m_fixed->make_worker(); }
-  bool has_sketches() const override { return m_fixed->has_sketches(); }
-  Comparing_worker make_sketching_worker() const override { return m_fixed->make_sketching_worker(); }
-  Comparing_worker make_rough_worker() const override { return m_fixed->make_rough_worker(); }
-  bool has_rough_maps() const override { return m_fixed->has_rough_maps(); }
-  Minimized_map finish(Minimized_map map) const override { return m_sliding->finish(m_fixed->finish(std::move(map))); }
-  Minimized_map map_border(const Uv_coordinates& border_uv) const override { return m_fixed->map_border(border_uv); }
-  std::vector<double> circle_stretch() const override { return m_fixed->circle_stretch(); }
-
-private:
-  std::shared_ptr<const Map_minimizer> m_sliding, m_fixed;
-};
-
-/// another way to begin, and the minimizer that does
+/// another way to begin, and the minimizer that does. What it finds is minimised to the end as that of the first start is.
 struct Other_start
 {
   Map_start start;
@@ -70,7 +45,9 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
   starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(Mean_value_weights())});
   if(chosen.border == Border_motion::SLIDING)
     starts.push_back({Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline] {
-                        return std::make_shared<Fixed_border_first_minimizer>(patch, chosen, deadline);
+                        Balanced_minimization minimization = chosen;
+                        minimization.border = Border_motion::FIXED;
+                        return make_minimizer(patch, minimization, deadline, Coarsening::BY_EIGHTHS);
                       }});
   return starts;
 }

@@ -10,6 +10,7 @@
 #include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -72,7 +73,8 @@ public:
   }
 
   /// moves the four corners on rough maps, from the given ones and, where the rectangle is not the square, from others,
-  /// then on sketches, if there are some, and maps for what comes out. False when the given ones may still be better.
+  /// then on sketches, if there are some, and maps for what comes out. False when the given ones may still be better, as
+  /// always where they have no rough map to compare with.
   /// \param sketch of the given ones; may be null
   bool move(const Corners& start, const Uv_coordinates* sketch)
   {
@@ -80,7 +82,8 @@ public:
       double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
       Corner_moves moves(m_patch.border_lengths, objective_of(*m_rough_maps, nullptr),
                          [this, &most_work] { return double(m_rough_maps->work()) > most_work; });
-      moves.compare({start});
+      if(!std::isfinite(moves.compare({start}).front().objective))
+        return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;
       most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
       std::vector<Corners> ends = ends_of_moves(start, is_square, moves);

@@ -17,6 +17,7 @@ struct Search_outcome
 {
   Minimized_map map;
   Search_report report;
+  bool heeds_work = false; ///< the strategy was told what maps cost, and may have ended early for that
 };
 
 /// refuses a strategy of which a number is out of its range
@@ -27,15 +28,24 @@ inline void check_corner_search(const Corner_search& search)
                      "a number of the corner search is out of its range");
 }
 
-/// searches the corners of the square among the candidates of \p search and maps the patch for the best of them.
-/// Throws `Unmappable` for a strategy with a number out of range, that asks for a candidate that does not exist, or for
-/// none.
-Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
-                                 const Square_search_options& options);
+/// searches the corners of the square among the candidates of \p search and maps the patch for the best of them, as well
+/// as comparing needs: `finish_map()` is to follow. Throws `Unmappable` for a strategy with a number out of range, that
+/// asks for a candidate that does not exist, or for none.
+/// \param tells_work false for a strategy that is not to end early where maps cost much
+Search_outcome search_corners(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
+                              const Square_search_options& options, bool tells_work = true);
 
-/// maps the patch for four corners chosen by the user
+/// maps the patch for four corners chosen by the user, as well as a search would
 /// \pre the positions are distinct and in counter-clockwise order
 Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimizer, const Corners& corners);
+
+/// minimises the map, if there is one, to the tolerance of the one that is delivered
+/// \param visitor told of it, and of the end of the search; may be null
+void finish_map(const Map_minimizer& minimizer, Search_visitor* visitor, Search_outcome& outcome);
+
+/// `search_corners()` and `finish_map()`
+Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
+                                 const Square_search_options& options);
 
 } // namespace internal
 } // namespace CGAL_ext

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SQUARE_SEARCH_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Free_corners.h>
@@ -38,16 +39,17 @@ inline std::vector<double> corner_distances(const Uv_coordinates& border_uv)
 }
 
 /// one search for the corners of one patch: what the strategy asks for is evaluated, candidates, sketches, and corners of
-/// their own; then the corners move, and the best map is finished
+/// their own; then the corners move
 class Square_search
 {
 public:
   Square_search(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
-                const Square_search_options& options)
+                const Square_search_options& options, bool tells_work)
     : m_patch(patch),
       m_minimizer(minimizer),
       m_search(search),
       m_options(options),
+      m_tells_work(tells_work),
       m_walk(patch.border_lengths, options.walk),
       m_number_of_candidates(search.candidate_set() == Candidate_set::FULL ? m_walk.size()
                                                                            : number_of_quarter_candidates(m_walk)),
@@ -83,16 +85,7 @@ public:
       map_settled_for();
     m_evaluation.release_workers();
     m_corners.release_workers();
-    if(m_options.visitor != nullptr)
-      m_options.visitor->start_minimization();
-    Search_outcome outcome = best();
-    outcome.map = m_minimizer.finish(std::move(outcome.map));
-    outcome.report.is_cancelled |= outcome.map.report.stop_reason == Stop_reason::DEADLINE;
-    if(outcome.map.uv.rows() > 0)
-      outcome.report.best_objective = outcome.map.report.objective;
-    if(m_options.visitor != nullptr)
-      m_options.visitor->end_search(outcome.report);
-    return outcome;
+    return best();
   }
 
 private:
@@ -146,6 +139,8 @@ private:
     const std::optional<int> candidate = m_settled_for ? m_settled_for : report.best_candidate;
     if(!m_options.moves_corners || !m_corners.has_rough_maps() || !candidate || report.is_cancelled)
       return false;
+    if(report.best_candidate && !(report.best_objective < Minimizer_numbers::HOPELESS_RESULT))
+      return false; // rough maps of such a surface tell nothing
     const std::size_t maps = report.evaluations + (m_sketches ? m_sketches->report().evaluations : 0);
     return work() <= MOST_WORK_TO_MOVE * double(maps) &&
            m_corners.move(border_of(*candidate).corners, sketch_of(*candidate));
@@ -217,7 +212,11 @@ private:
         m_settled_for = candidate;
       };
     }
-    problem.work = [this] { return work(); };
+    if(m_tells_work)
+      problem.work = [this] {
+        m_heeds_work = true;
+        return work();
+      };
     problem.circle_stretch = [this] { return m_minimizer.circle_stretch(); };
     problem.corner_distances = [this](int candidate) { return corner_distances(border_of(candidate).uv); };
     return problem;
@@ -233,7 +232,7 @@ private:
   /// the best map so far, and how it was found
   Search_outcome best() const
   {
-    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report()};
+    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report(), m_heeds_work};
     Search_report& report = outcome.report;
     if(m_settled_for && !report.best_candidate && has_map())
       report.best_candidate = m_settled_for;
@@ -260,6 +259,8 @@ private:
   const Map_minimizer& m_minimizer;
   const Corner_search& m_search;
   const Square_search_options& m_options;
+  const bool m_tells_work;
+  bool m_heeds_work = false;
   const Deadline m_sketch_deadline = part_way_to(m_options.deadline, 0.5);
   const Border_walk m_walk;
   const int m_number_of_candidates;
@@ -271,19 +272,41 @@ private:
   std::optional<int> m_settled_for; // a candidate that is known by its sketch alone
 };
 
+CGAL_EXT_INLINE_FUNCTION Search_outcome search_corners(const Patch& patch, const Map_minimizer& minimizer,
+                                                       const Corner_search& search,
+                                                       const Square_search_options& options, bool tells_work)
+{
+  check_corner_search(search);
+  return Square_search(patch, minimizer, search, options, tells_work)();
+}
+
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer,
                                                           const Corner_search& search,
                                                           const Square_search_options& options)
 {
-  check_corner_search(search);
-  return Square_search(patch, minimizer, search, options)();
+  Search_outcome outcome = search_corners(patch, minimizer, search, options);
+  finish_map(minimizer, options.visitor, outcome);
+  return outcome;
+}
+
+CGAL_EXT_INLINE_FUNCTION void finish_map(const Map_minimizer& minimizer, Search_visitor* visitor,
+                                         Search_outcome& outcome)
+{
+  if(visitor != nullptr)
+    visitor->start_minimization();
+  outcome.map = minimizer.finish(std::move(outcome.map));
+  outcome.report.is_cancelled |= outcome.map.report.stop_reason == Stop_reason::DEADLINE;
+  if(outcome.map.uv.rows() > 0)
+    outcome.report.best_objective = outcome.map.report.objective;
+  if(visitor != nullptr)
+    visitor->end_search(outcome.report);
 }
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimizer,
                                                          const Corners& corners)
 {
   const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
-  Search_outcome outcome{minimizer.finish(minimizer.make_worker()(border.uv, nullptr)), {}};
+  Search_outcome outcome{minimizer.make_worker()(border.uv, nullptr), {}};
   outcome.report.is_cancelled = outcome.map.report.stop_reason == Stop_reason::DEADLINE;
   outcome.report.candidates = 1;
   outcome.report.evaluations = 1;

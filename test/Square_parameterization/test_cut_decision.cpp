@@ -11,6 +11,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <vector>
+
 using namespace CGAL_ext;
 using namespace CGAL_ext::internal;
 using Catch::Matchers::Contains;
@@ -291,7 +293,7 @@ TEST_CASE("a quick score that is not done after its steps gives way to a map fro
   options.numbers.score_steps = 3;
   REQUIRE(quick_start(patch, spread_borders(patch, options.numbers.corner_candidates), options).uv.rows() > 0);
   const double searched = searched_stretch(surface, cut, options.balance);
-  const Cut_scoring rough(surface, cut, options);
+  const Cut_scoring rough(surface, cut, options, true);
   REQUIRE(rough.score().stretch > 1.3 * searched);
   const Cut_score score = score_cut(surface, cut, options);
   CHECK(score.stretch < 1.05 * searched); // of eight choices of corners, in three steps on each patch
@@ -434,4 +436,30 @@ TEST_CASE("a visitor is told of the shares of the comparison of cuts that are do
     decide(surface, options);
     CHECK(visitor.shares.empty());
   }
+}
+
+TEST_CASE("cuts to begin with are scored as long as there is work left, and the first of them in any case")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3));
+  const Cut_score_options scoring;
+  std::vector<Cut> cuts;
+  const auto paths = shortest_paths(surface, {0});
+  for(int end : {20, 30, 40, 50, 60, 70, 80}) {
+    cuts.emplace_back(surface);
+    insert_path(surface, paths, end, cuts.back());
+  }
+  Thread_team team(2);
+  Cut_progress progress(nullptr);
+  const auto work_of = [&](std::size_t count, long most_work) {
+    Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
+    pool.start({cuts.begin(), cuts.begin() + count}, most_work);
+    return pool.work();
+  };
+  const long all = work_of(cuts.size(), 1000 * surface.number_of_vertices());
+  const std::size_t first = scoring.numbers.first_starts;
+  REQUIRE(work_of(first, 0) < all);
+  CHECK(work_of(cuts.size(), 0) == work_of(first, 0));
+  const long some = work_of(cuts.size(), (all + work_of(first, 0)) / 2);
+  CHECK(work_of(first, 0) < some);
+  CHECK(some < all);
 }

@@ -125,7 +125,19 @@ struct Cut_numbers
   /// Fewer: small surfaces get a little more stretch; more: they take seconds where their maps are slow.
   long growth_work_per_vertex = 150;
 
-  /// the same where there are many loops: see `many_loops`
+  /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
+  /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
+  long decision_work_per_vertex = 150;
+
+  /// times the work above, while no cut that was met has a map. Fewer: some surfaces of which hardly any cut has one have
+  /// no map in the end; more: seconds of search in vain.
+  long times_work_without_map = 5;
+
+  /// cuts to begin with that are scored in any case; so many more as there is work left for when those have told what a
+  /// score costs. More: seconds where hardly any cut has a map.
+  std::size_t first_starts = 3;
+
+  /// `growth_work` where there are many loops: see `many_loops`
   long little_growth_work = 35000;
 
   /// holes, and twice the handles: where there are as many, one cut is much like another, and one terminal more means

@@ -109,20 +109,29 @@ public:
     return score(std::move(cuts), weight, static_cast<std::size_t>(numbers().scored_well));
   }
 
-  /// scores cuts to begin with, all of them well
-  std::vector<Scored_cut> start(const std::vector<Cut>& cuts)
+  /// scores cuts to begin with, all of them well, until `is_exhausted(work)`
+  void start(const std::vector<Cut>& cuts, long work)
   {
-    std::vector<Scored_cut> starts;
-    for(const Cut& cut : cuts)
-      starts.push_back({cut, Cut_step::INITIAL, -1});
-    return score(std::move(starts), 0, cuts.size());
+    std::size_t next = 0, end = numbers().first_starts;
+    while(next < cuts.size() && (next == 0 || !is_exhausted(work))) {
+      std::vector<Scored_cut> starts;
+      for(; next < (std::min)(end, cuts.size()); ++next)
+        starts.push_back({cuts[next], Cut_step::INITIAL, -1});
+      const std::size_t number = starts.size();
+      score(std::move(starts), 0, number);
+      end = next + 1 + static_cast<std::size_t>((std::max)(0L, most_work(work) - m_work) / work_per_score());
+    }
   }
 
   /// what all scores together have cost: time is all but proportional to it
   long work() const { return m_work; }
 
-  /// indicates whether scores have cost \p work, in vertices mapped, or the deadline has passed
-  bool is_exhausted(long work) const { return m_work >= work || has_passed(m_deadline); }
+  /// indicates whether scores cost more than \p work, in vertices mapped, together with the \p next ones, or the deadline
+  /// has passed. While no cut has a map the work is some times as much.
+  bool is_exhausted(long work, long next = 1) const
+  {
+    return m_work + next > most_work(work) || has_passed(m_deadline);
+  }
 
   /// what a score has cost. \pre there is one
   long work_per_score() const { return m_work / static_cast<long>(m_known.size()); }
@@ -184,6 +193,15 @@ public:
   }
 
 private:
+  /// indicates whether one of the cuts has a one-to-one map
+  bool has_map() const
+  {
+    return std::any_of(m_known.begin(), m_known.end(),
+                       [](const Scored_cut& known) { return std::isfinite(known.score.stretch); });
+  }
+
+  long most_work(long work) const { return has_map() ? work : numbers().times_work_without_map * work; }
+
   /// scores those of the cuts that are not known yet: roughly, and the best \p number of them at a weight well
   std::vector<Scored_cut> score(std::vector<Scored_cut> cuts, double weight, std::size_t number)
   {
@@ -196,9 +214,10 @@ private:
         unknown.push_back(cut);
     }
     std::vector<std::optional<Cut_scoring>> scorings(unknown.size());
+    const bool is_persistent = !has_map();
     m_team(unknown.size(), [&](std::size_t i) {
       if(m_known.size() + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
-        unknown[i].score = scorings[i].emplace(m_surface, unknown[i].cut, m_scoring).score();
+        unknown[i].score = scorings[i].emplace(m_surface, unknown[i].cut, m_scoring, is_persistent).score();
     });
     std::vector<std::size_t> chosen(unknown.size());
     std::iota(chosen.begin(), chosen.end(), 0);

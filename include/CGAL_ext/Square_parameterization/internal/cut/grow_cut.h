@@ -46,7 +46,7 @@ private:
   bool is_exhausted() const
   {
     const long next_terminal = 2 * m_numbers.candidates * m_pool.work_per_score();
-    return m_pool.is_exhausted(m_work - next_terminal + 1); // with it, beyond the limit
+    return m_pool.is_exhausted(m_work, next_terminal);
   }
 
   /// the cuts that reach one terminal more

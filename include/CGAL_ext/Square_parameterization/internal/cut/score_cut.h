@@ -101,9 +101,10 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   return best;
 }
 
-/// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched;
-/// by small steps of coarsening where large ones lead to no map
-inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, const Cut_score_options& options)
+/// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched
+/// \param is_persistent goes by small steps of coarsening where large ones lead to no map
+inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, const Cut_score_options& options,
+                              bool is_persistent)
 {
   Balanced_minimization minimization;
   minimization.balance = options.balance;
@@ -111,7 +112,7 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
   minimization.search_tolerance = options.numbers.score_tolerance;
   minimization.maximum_iterations = static_cast<unsigned int>(options.numbers.score_steps);
   Minimized_map map = make_minimizer(patch, minimization)->make_worker()(border, nullptr);
-  if(map.uv.rows() > 0)
+  if(map.uv.rows() > 0 || !is_persistent)
     return map;
   const long work = map.work;
   map = make_minimizer(patch, minimization, {}, Coarsening::BY_EIGHTHS)->make_worker()(border, nullptr);
@@ -125,7 +126,9 @@ class Cut_scoring
 {
 public:
   /// the rough map. Of the corners a cheap iteration tells which are mapped in earnest.
-  Cut_scoring(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options) : m_options(options)
+  /// \param is_persistent takes more time for a map where there seems to be none
+  Cut_scoring(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options, bool is_persistent)
+    : m_options(options), m_is_persistent(is_persistent)
   {
     m_score.length = cut.length(surface) / std::sqrt(surface.area);
     m_score.work = surface.number_of_vertices();
@@ -186,7 +189,7 @@ private:
     add(m_map, work_before);
   }
 
-  void map_slowly() { add(slow_map(*m_patch, m_border, m_options), 0); }
+  void map_slowly() { add(slow_map(*m_patch, m_border, m_options, m_is_persistent), 0); }
 
   /// \param work_before of what the map has cost, the part that was added before
   void add(const Minimized_map& map, long work_before)
@@ -202,6 +205,7 @@ private:
   }
 
   const Cut_score_options& m_options;
+  const bool m_is_persistent;
   Cut_score m_score;
   std::unique_ptr<const Patch> m_patch;
   std::unique_ptr<const Balanced_minimizer> m_minimizer;
@@ -213,7 +217,7 @@ private:
 /// the score of one cut
 inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options)
 {
-  Cut_scoring scoring(surface, cut, options);
+  Cut_scoring scoring(surface, cut, options, true);
   scoring.refine();
   return scoring.score();
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -118,9 +119,10 @@ private:
     Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
     const std::vector<Cut> cuts = grown_cuts(surface);
     m_progress.begin_part(1, double(numbers().refinement_work));
-    pool.start(cuts);
+    const long most_work = numbers().decision_work_per_vertex * surface.number_of_vertices();
+    pool.start(cuts, most_work);
     if(surface.is_disk()) // a cut that is not needed must pay
-      pool.start({Cut(surface)});
+      pool.start({Cut(surface)}, most_work);
     Scored_cut best = pool.best(m_weight);
     refine_cut(pool, m_weight, best, m_history);
     m_report.is_cancelled = has_passed(m_deadline);
@@ -140,8 +142,10 @@ private:
     const Triangle_surface& grown = copy ? *copy : surface;
     std::vector<Cut> starts = rerouted_initial_cuts(grown, numbers(), m_team);
     const int simpler_copies = copy ? numbers().simpler_copies : numbers().simpler_copies_of_small;
+    std::set<int> sizes{grown.number_of_faces()}; // handles may keep copies from getting simpler: each is grown on once
     for(int i = 0; i < simpler_copies; ++i)
-      if(const auto simpler = simplified_copy(grown, faces_of_simpler_copy(i), numbers(), m_deadline)) {
+      if(const auto simpler = simplified_copy(grown, faces_of_simpler_copy(i), numbers(), m_deadline);
+         simpler && sizes.insert(simpler->number_of_faces()).second) {
         m_progress.begin_part(SIMPLIFIED + (GROWN_ON_SIMPLER_COPIES - SIMPLIFIED) * (i + 1) / simpler_copies,
                               double(work_of_growth(*simpler)));
         const std::vector<Cut> simple = grow_family(*simpler, rerouted_initial_cuts(*simpler, numbers(), m_team));
@@ -164,8 +168,8 @@ private:
   std::vector<Cut> grow_family(const Triangle_surface& surface, const std::vector<Cut>& starts)
   {
     Cut_pool pool = make_pool(surface, numbers().score_tolerance);
-    pool.start(starts);
     const long most_work = work_of_growth(surface);
+    pool.start(starts, (std::max)(most_work, numbers().growth_work_per_vertex * surface.number_of_vertices()));
     const std::vector<double> weights = weights_of_family(m_weight);
     for(std::size_t i = 0; i < weights.size(); ++i) {
       const long done = pool.work();

@@ -314,7 +314,7 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome map_with_corners(const Patch& patch, con
   if(outcome.map.uv.rows() > 0)
     outcome.report.best_candidate = corners[0];
   outcome.report.corners = border.corners;
-  outcome.report.curve = {{corners[0], outcome.map.report.objective, outcome.map.report.l2}};
+  outcome.report.curve.push_back({corners[0], outcome.map.report.objective, outcome.map.report.l2});
   return outcome;
 }
 

@@ -38,7 +38,7 @@ struct Snapshot
   {
     const auto points = get(CGAL::vertex_point, mesh);
     for(auto h : halfedges(mesh)) {
-      const auto& p = get(points, target(h, mesh));
+      const auto p = get(points, target(h, mesh));
       halfedges_of_mesh.push_back({next(h, mesh), CGAL::is_border(h, mesh)});
       for(double x : {p[0], p[1], p[2]})
         coordinates.push_back(x);

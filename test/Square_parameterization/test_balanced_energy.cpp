@@ -186,7 +186,7 @@ TEST_CASE("the blocks of the Hessian are those of the shifted Hessian with its n
         for(int i = 0; i < 3; ++i)
           for(int j = 0; j < 3; ++j)
             for(int axis = 0; axis < 2; ++axis)
-              CHECK(std::abs(blocks.of_axis[axis](i, j) - expected(2 * i + axis, 2 * j + axis)) <
+              CHECK(std::abs(blocks.of_axis(axis)(i, j) - expected(2 * i + axis, 2 * j + axis)) <
                     1e-9 * expected.cwiseAbs().maxCoeff());
       }
   }
@@ -205,6 +205,15 @@ TEST_CASE("the largest step is where the first triangle loses its area")
     REQUIRE(std::isfinite(step));
     CHECK(number_of_flipped_faces(patch.triangles, uv + 0.999999 * step * direction) == 0);
     CHECK(number_of_flipped_faces(patch.triangles, uv + 1.000001 * step * direction) > 0);
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& t : patch.triangles) { // what a bound leaves out is beyond it
+      const double of_triangle = largest_step(t, uv, direction);
+      least = (std::min)(least, of_triangle);
+      for(double bound : {0.5 * step, step, 3 * step})
+        if(const double bounded = largest_step(t, uv, direction, bound); bounded != of_triangle)
+          CHECK((std::isinf(bounded) && of_triangle >= bound));
+    }
+    CHECK(step == least);
   }
   CHECK(std::isinf(largest_step(patch, uv, Uv_coordinates::Constant(uv.rows(), 2, 0.5)))); // a translation
 }

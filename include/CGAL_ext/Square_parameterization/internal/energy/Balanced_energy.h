@@ -123,10 +123,22 @@ public:
   }
 
   /// second derivatives of one triangle with respect to the u of its corners, and to the v; those with respect to an u
-  /// and a v are left out
+  /// and a v are left out. Of each the numbers of both axes.
   struct Hessian_blocks
   {
-    std::array<Eigen::Matrix3d, 2> of_axis;
+    std::array<Eigen::Array2d, 3> diagonal; ///< twice by corner k
+    std::array<Eigen::Array2d, 3> sides;    ///< by corner k and the next one
+
+    /// the derivatives by the coordinates of one axis
+    Eigen::Matrix3d of_axis(int axis) const
+    {
+      Eigen::Matrix3d block;
+      for(int k = 0; k < 3; ++k) {
+        block(k, k) = diagonal[k][axis];
+        block(k, (k + 1) % 3) = block((k + 1) % 3, k) = sides[k][axis];
+      }
+      return block;
+    }
   };
 
   /// the blocks of the Hessian of triangle \p f, made positive semidefinite by clamping the negative of its
@@ -139,19 +151,13 @@ public:
   {
     const Flat_triangle& shape = m_patch.shapes[f];
     const Modes modes(jacobian(f, uv, to_rectangle), m_balance);
-    // gradients of the hat functions of corners 1 and 2; that of corner 0 is minus their sum
-    const Eigen::Vector2d g1(1 / shape.x1, -shape.x2 / (shape.x1 * shape.y2)), g2(0, 1 / shape.y2);
-    Hessian_blocks blocks;
-    for(int axis = 0; axis < 2; ++axis) {
-      const double scale = to_rectangle[axis] * to_rectangle[axis] * (shape.area() / 2);
-      const Eigen::Matrix2d form = scale * modes.form_on_row(axis);
-      const Eigen::Vector2d h1 = form * g1, h2 = form * g2;
-      const double h11 = g1.dot(h1), h12 = g1.dot(h2), h22 = g2.dot(h2);
-      blocks.of_axis[axis] << h11 + 2 * h12 + h22, -h11 - h12, -h12 - h22, //
-          -h11 - h12, h11, h12,                                            //
-          -h12 - h22, h12, h22;
-    }
-    return blocks;
+    const auto [xx, xy, yy] = modes.forms_on_rows();
+    // gradients of the hat functions of corners 1, (a, b), and 2, (0, c); that of corner 0 is minus their sum
+    const double a = 1 / shape.x1, c = 1 / shape.y2, b = -shape.x2 * a * c;
+    const Eigen::Array2d scale = to_rectangle.transpose().array().square() * (shape.area() / 2);
+    const Eigen::Array2d h11 = scale * (a * a * xx + 2 * a * b * xy + b * b * yy);
+    const Eigen::Array2d h12 = scale * c * (a * xy + b * yy), h22 = scale * (c * c * yy);
+    return {{h11 + 2 * h12 + h22, h11, h22}, {-h11 - h12, h12, -h12 - h22}};
   }
 
 private:
@@ -222,18 +228,26 @@ private:
       clamp(scaling);
     }
 
-    /// the quadratic form on row `axis` of a change of K, times 2
-    Eigen::Matrix2d form_on_row(int axis) const
+    /// symmetric 2 by 2 matrices, one for each axis
+    struct Forms
+    {
+      Eigen::Array2d xx, xy, yy;
+    };
+
+    /// the quadratic forms on the two rows of a change of K, times 2.
+    ///
+    /// With (c, s) the turn and (d, e) the mirror the modes have the rows (c, -s) and (s, c), (d, e) and (e, -d); twist and
+    /// flip have these pairs of rows exchanged, but for signs.
+    Forms forms_on_rows() const
     {
       const double c = turn.x(), s = turn.y(), d = mirror.x(), e = mirror.y();
-      const Eigen::Vector2d same = axis == 0 ? Eigen::Vector2d(c, -s) : Eigen::Vector2d(s, c);
-      const Eigen::Vector2d opposite = axis == 0 ? Eigen::Vector2d(d, e) : Eigen::Vector2d(e, -d);
-      const Eigen::Vector2d twisted = axis == 0 ? Eigen::Vector2d(-s, -c) : Eigen::Vector2d(c, -s);
-      const Eigen::Vector2d flipped = axis == 0 ? Eigen::Vector2d(-e, d) : Eigen::Vector2d(d, e);
-      const Eigen::Matrix2d mixed = same * opposite.transpose();
-      return scaling(0, 0) * same * same.transpose() + scaling(0, 1) * (mixed + mixed.transpose()) +
-             scaling(1, 1) * opposite * opposite.transpose() + twist * twisted * twisted.transpose() +
-             flip * flipped * flipped.transpose();
+      const double even = scaling(0, 0) * c * c + scaling(1, 1) * d * d + twist * s * s + flip * e * e;
+      const double odd = scaling(0, 0) * s * s + scaling(1, 1) * e * e + twist * c * c + flip * d * d;
+      const double even_mixed = 2 * scaling(0, 1) * c * d, odd_mixed = 2 * scaling(0, 1) * s * e;
+      const double mixed = scaling(0, 1) * (c * e - s * d);
+      const double across = (scaling(1, 1) - flip) * d * e - (scaling(0, 0) - twist) * c * s;
+      return {
+          {even + even_mixed, odd + odd_mixed}, {mixed + across, mixed - across}, {odd - odd_mixed, even - even_mixed}};
     }
 
     /// replaces a negative eigenvalue of a symmetric matrix with a positive one by zero

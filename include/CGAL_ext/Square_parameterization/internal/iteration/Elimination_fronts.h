@@ -65,7 +65,8 @@ public:
   };
 
   /// \param upper the upper triangle of a matrix, compressed, its columns in an order of little fill
-  explicit Elimination_fronts(const Eigen::SparseMatrix<double>& upper)
+  template <class Number>
+  explicit Elimination_fronts(const Eigen::SparseMatrix<Number>& upper)
   {
     const Column_tree tree = elimination_tree(upper);
     make_fronts(tree, merged_columns(tree));
@@ -136,12 +137,13 @@ private:
   };
 
   /// the entries by columns, and sets where those of the fronts begin and end
-  std::vector<Lower_entry> lower_entries(const Eigen::SparseMatrix<double>& upper)
+  template <class Number>
+  std::vector<Lower_entry> lower_entries(const Eigen::SparseMatrix<Number>& upper)
   {
     std::vector<Lower_entry> entries;
     std::vector<int> begin(upper.cols() + 1, 0);
     for(int k = 0; k < upper.cols(); ++k)
-      for(Eigen::SparseMatrix<double>::InnerIterator entry(upper, k); entry; ++entry) {
+      for(typename Eigen::SparseMatrix<Number>::InnerIterator entry(upper, k); entry; ++entry) {
         const auto [column, row] = std::minmax(m_places[entry.row()], m_places[k]);
         entries.push_back({row, column, static_cast<int>(entries.size())});
         ++begin[column + 1];
@@ -158,7 +160,8 @@ private:
   }
 
   /// finds the rows of each front, from the entries of the matrix and the rows of its children, and the places of both
-  void find_rows(const Eigen::SparseMatrix<double>& upper)
+  template <class Number>
+  void find_rows(const Eigen::SparseMatrix<Number>& upper)
   {
     const std::vector<Lower_entry> entries = lower_entries(upper);
     std::vector<int> number_of_row(upper.cols(), -1), used_in(upper.cols(), -1);

@@ -7,9 +7,12 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Elimination_fronts.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -17,16 +20,30 @@
 namespace CGAL_ext {
 namespace internal {
 
+/// indicates whether a matrix can be divided by a number
+inline bool is_pivot(double number)
+{
+  return std::isfinite(number) && number != 0;
+}
+
 /// factors symmetric matrices A = L D L^T of one pattern along their diagonal, front by front (see
 /// `Elimination_fronts`). No pivot is looked for: the matrices are positive definite, or nearly so.
 ///
 /// On patches of 16000 to 26000 faces three times as fast as Eigen's SimplicialLDLT, whose inner loop reads an index and
 /// waits for a store with each multiplication. The interface is that of Eigen's factorizations.
+/// \tparam Number `double`, or what stands for several numbers, as `Number_per_axis` does, with a function `is_pivot()`
+template <class Number>
 class Multifrontal_ldlt
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>;
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+  using Matrix = Eigen::SparseMatrix<Number>;
+  template <int COLUMNS>
+  using Columns = Eigen::Matrix<Number, Eigen::Dynamic, COLUMNS>;
+
+  Multifrontal_ldlt() = default;
+
+  /// for the matrices of a pattern that is analyzed already
+  explicit Multifrontal_ldlt(std::shared_ptr<const Elimination_fronts> fronts) : m_fronts(std::move(fronts)) {}
 
   /// \param upper the upper triangle of a matrix, compressed, its columns in an order of little fill
   void analyzePattern(const Matrix& upper) { m_fronts = std::make_shared<const Elimination_fronts>(upper); }
@@ -51,36 +68,57 @@ public:
   /// indicates whether the last `factorize()` succeeded
   Eigen::ComputationInfo info() const { return m_info; }
 
-  /// the solution x of A x = \p b; call `factorize()` first
-  Columns solve(const Columns& b) const
+  /// the solution x of A x = \p b, of one or more columns; call `factorize()` first
+  template <int COLUMNS>
+  Columns<COLUMNS> solve(const Columns<COLUMNS>& b) const
   {
     const std::vector<int>& places = m_fronts->places();
     const std::vector<Elimination_front>& fronts = m_fronts->fronts();
-    Rows_by_two reordered(b.rows(), 2);
-    Columns x(b.rows(), 2); // first of a front, then the result
+    std::vector<Row<COLUMNS>> reordered(b.rows()), in_front(b.rows());
     for(std::size_t i = 0; i < places.size(); ++i)
-      reordered.row(places[i]) = b.row(i);
+      reordered[places[i]] = b.row(i).transpose().array();
     for(const Elimination_front& front : fronts)
-      solve_lower(front, reordered, x);
+      solve_lower(front, reordered, in_front);
     for(std::size_t f = fronts.size(); f-- > 0;)
-      solve_upper(fronts[f], reordered, x);
+      solve_upper(fronts[f], reordered, in_front);
+    Columns<COLUMNS> x(b.rows(), COLUMNS);
     for(std::size_t i = 0; i < places.size(); ++i)
-      x.row(i) = reordered.row(places[i]);
+      x.row(i) = reordered[places[i]].matrix().transpose();
     return x;
   }
 
 private:
   static constexpr int TILE = Elimination_front::TILE;
-  using Rows_by_two = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+  /// what stands in one row of the right hand sides, or of the solutions
+  template <int COLUMNS>
+  using Row = Eigen::Array<Number, COLUMNS, 1>;
+
+  /// calls `use` with a constant of a width, 1 to `TILE`: loops of so many turns are unrolled
+  template <class Use>
+  static void for_width(int width, const Use& use)
+  {
+    static_assert(TILE == 4);
+    switch(width) {
+    case 1:
+      return use(std::integral_constant<int, 1>());
+    case 2:
+      return use(std::integral_constant<int, 2>());
+    case 3:
+      return use(std::integral_constant<int, 3>());
+    default:
+      return use(std::integral_constant<int, TILE>());
+    }
+  }
 
   /// sets the columns of a front to those of the matrix with the contributions of its children, and its own contribution
   /// to what these leave to it
-  void assemble(const Elimination_front& front, const double* values)
+  void assemble(const Elimination_front& front, const Number* values)
   {
-    double* const columns = m_factor.data() + front.values;
-    double* const contribution = m_workspace.data() + front.contribution;
-    std::fill_n(columns, front.factor_size(), 0.);
-    std::fill_n(contribution, front.contribution_size(), 0.);
+    Number* const columns = m_factor.data() + front.values;
+    Number* const contribution = m_workspace.data() + front.contribution;
+    std::fill_n(columns, front.factor_size(), Number(0));
+    std::fill_n(contribution, front.contribution_size(), Number(0));
     for(int e = front.first_entry; e < front.end_entry; ++e) {
       const Elimination_fronts::Entry& entry = m_fronts->entries()[e];
       columns[entry.place] = values[entry.number];
@@ -88,9 +126,9 @@ private:
     for(int c = front.first_child; c >= 0; c = m_fronts->fronts()[c].next_sibling) {
       const Elimination_front& child = m_fronts->fronts()[c];
       const int* const row = m_fronts->rows_in_parent().data() + child.rows + child.width;
-      const double* source = m_workspace.data() + child.contribution;
+      const Number* source = m_workspace.data() + child.contribution;
       for(int j = 0; j < child.rows_of_parent(); ++j, source += child.contribution_stride()) {
-        double* const target =
+        Number* const target =
             row[j] < front.width
                 ? columns + std::size_t(row[j]) * front.stride()
                 : contribution + std::size_t(row[j] - front.width) * front.contribution_stride() - front.width;
@@ -106,20 +144,20 @@ private:
     const int stride = front.stride();
     for(int j = 0; j < front.width; j += TILE) {
       const int width = (std::min)(TILE, front.width - j);
-      double* const columns = m_factor.data() + front.values + std::size_t(j) * stride + j; // from their diagonal on
+      Number* const columns = m_factor.data() + front.values + std::size_t(j) * stride + j; // from their diagonal on
       subtract_products(front, j, j, width, columns, stride);
       for(int k = 0; k < width; ++k) {
-        double* const column = columns + std::size_t(k) * stride;
-        const double pivot = column[k];
-        if(!std::isfinite(pivot) || pivot == 0)
+        Number* const column = columns + std::size_t(k) * stride;
+        const Number pivot = column[k];
+        if(!is_pivot(pivot))
           return false;
         m_diagonal[front.first + j + k] = pivot;
-        const double inverse = 1 / pivot;
+        const Number inverse = Number(1) / pivot;
         for(int i = k + 1; i < front.height - j; ++i)
           column[i] *= inverse;
         for(int next = k + 1; next < width; ++next) {
-          double* const other = columns + std::size_t(next) * stride;
-          const double factor = column[next] * pivot;
+          Number* const other = columns + std::size_t(next) * stride;
+          const Number factor = column[next] * pivot;
           for(int i = next; i < front.height - j; ++i)
             other[i] -= column[i] * factor;
         }
@@ -140,25 +178,16 @@ private:
   /// subtracts from columns what the first \p pivots columns of the front do to them:
   /// x(i, k) -= sum over p of L(j + i, p) D(p) L(j + k, p)
   /// \param x `width` columns, at most `TILE`, from row and column `j` of the front on
-  void subtract_products(const Elimination_front& front, int pivots, int j, int width, double* x, int stride)
+  void subtract_products(const Elimination_front& front, int pivots, int j, int width, Number* x, int stride)
   {
-    switch(width) {
-    case 1:
-      return subtract_products<1>(front, pivots, j, x, stride);
-    case 2:
-      return subtract_products<2>(front, pivots, j, x, stride);
-    case 3:
-      return subtract_products<3>(front, pivots, j, x, stride);
-    default:
-      return subtract_products<TILE>(front, pivots, j, x, stride);
-    }
+    for_width(width, [&](auto constant) { subtract_products<constant()>(front, pivots, j, x, stride); });
   }
 
   template <int WIDTH>
-  void subtract_products(const Elimination_front& front, int pivots, int j, double* x, int stride)
+  void subtract_products(const Elimination_front& front, int pivots, int j, Number* x, int stride)
   {
-    using Tile_column = Eigen::Array<double, TILE, 1>;
-    const double* const l = m_factor.data() + front.values + j;
+    using Tile_column = Eigen::Array<Number, TILE, 1>;
+    const Number* const l = m_factor.data() + front.values + j;
     m_factors.resize((std::max)(m_factors.size(), std::size_t(pivots) * WIDTH));
     for(int p = 0; p < pivots; ++p)
       for(int k = 0; k < WIDTH; ++k)
@@ -167,8 +196,8 @@ private:
       Tile_column tile[WIDTH]; // stays in registers
       for(int k = 0; k < WIDTH; ++k)
         tile[k] = Eigen::Map<const Tile_column>(x + std::size_t(k) * stride + i);
-      const double* column = l + i;
-      const double* factor = m_factors.data();
+      const Number* column = l + i;
+      const Number* factor = m_factors.data();
       for(int p = 0; p < pivots; ++p, column += front.stride(), factor += WIDTH)
         for(int k = 0; k < WIDTH; ++k)
           tile[k] -= Eigen::Map<const Tile_column>(column) * factor[k];
@@ -179,49 +208,83 @@ private:
 
   /// solves with the columns of L of a front
   /// \param in_front memory for what its rows hold
-  void solve_lower(const Elimination_front& front, Rows_by_two& x, Columns& in_front) const
+  template <int COLUMNS>
+  void solve_lower(const Elimination_front& front, std::vector<Row<COLUMNS>>& x,
+                   std::vector<Row<COLUMNS>>& in_front) const
   {
     const int* const rows = m_fronts->rows().data() + front.rows;
     for(int i = 0; i < front.height; ++i)
-      in_front.row(i) = x.row(rows[i]);
-    for(int j = 0; j < front.width; ++j) {
-      const int n = front.height - j - 1;
-      const auto column = below_diagonal(front, j);
-      for(int axis = 0; axis < 2; ++axis)
-        in_front.col(axis).segment(j + 1, n) -= column * in_front(j, axis);
-    }
+      in_front[i] = x[rows[i]];
+    for(int j = 0; j < front.width; j += TILE)
+      for_width(front.width - j, [&](auto width) {
+        solve_lower<width()>(columns_from(front, j), front.stride(), front.height - j, in_front.data() + j);
+      });
     for(int i = 0; i < front.height; ++i)
-      x.row(rows[i]) = in_front.row(i);
+      x[rows[i]] = in_front[i];
   }
 
   /// solves with D and the rows of L^T of a front
-  void solve_upper(const Elimination_front& front, Rows_by_two& x, Columns& in_front) const
+  template <int COLUMNS>
+  void solve_upper(const Elimination_front& front, std::vector<Row<COLUMNS>>& x,
+                   std::vector<Row<COLUMNS>>& in_front) const
   {
     const int* const rows = m_fronts->rows().data() + front.rows;
     for(int i = 0; i < front.height; ++i)
-      in_front.row(i) = x.row(rows[i]);
-    for(int j = front.width - 1; j >= 0; --j) {
-      const int n = front.height - j - 1;
-      const auto column = below_diagonal(front, j);
-      for(int axis = 0; axis < 2; ++axis)
-        in_front(j, axis) =
-            in_front(j, axis) / m_diagonal[front.first + j] - column.dot(in_front.col(axis).segment(j + 1, n));
-    }
+      in_front[i] = x[rows[i]];
+    for(int j = (front.width - 1) / TILE * TILE; j >= 0; j -= TILE)
+      for_width(front.width - j, [&](auto width) {
+        solve_upper<width()>(columns_from(front, j), front.stride(), front.height - j,
+                             m_diagonal.data() + front.first + j, in_front.data() + j);
+      });
     for(int j = 0; j < front.width; ++j)
-      x.row(rows[j]) = in_front.row(j);
+      x[rows[j]] = in_front[j];
   }
 
-  /// the entries of a column of L below the diagonal
-  Eigen::Map<const Eigen::VectorXd> below_diagonal(const Elimination_front& front, int j) const
+  /// \param columns `WIDTH` columns of L, from the diagonal of the first on
+  /// \param x `height` rows
+  template <int WIDTH, int COLUMNS>
+  static void solve_lower(const Number* columns, int stride, int height, Row<COLUMNS>* x)
   {
-    return {m_factor.data() + front.values + std::size_t(j) * front.stride() + j + 1, front.height - j - 1};
+    for(int k = 0; k < WIDTH; ++k)
+      for(int i = k + 1; i < WIDTH; ++i)
+        x[i] -= x[k] * columns[k * stride + i];
+    std::array<Row<COLUMNS>, WIDTH> solved;
+    std::copy_n(x, WIDTH, solved.begin());
+    for(int i = WIDTH; i < height; ++i) {
+      Row<COLUMNS> row = x[i];
+      for(int k = 0; k < WIDTH; ++k)
+        row -= solved[k] * columns[k * stride + i];
+      x[i] = row;
+    }
+  }
+
+  template <int WIDTH, int COLUMNS>
+  static void solve_upper(const Number* columns, int stride, int height, const Number* diagonal, Row<COLUMNS>* x)
+  {
+    std::array<Row<COLUMNS>, WIDTH> sums;
+    for(int k = 0; k < WIDTH; ++k)
+      sums[k] = Row<COLUMNS>::Constant(Number(0));
+    for(int i = WIDTH; i < height; ++i)
+      for(int k = 0; k < WIDTH; ++k)
+        sums[k] += x[i] * columns[k * stride + i];
+    for(int k = WIDTH - 1; k >= 0; --k) {
+      x[k] = x[k] / diagonal[k] - sums[k];
+      for(int i = k + 1; i < WIDTH; ++i)
+        x[k] -= x[i] * columns[k * stride + i];
+    }
+  }
+
+  /// the columns of L of a front from the j-th on, from its diagonal on
+  const Number* columns_from(const Elimination_front& front, int j) const
+  {
+    return m_factor.data() + front.values + std::size_t(j) * front.stride() + j;
   }
 
   std::shared_ptr<const Elimination_fronts> m_fronts;
-  std::vector<double> m_factor;    // the columns of L, front by front, with any numbers above the diagonal
-  std::vector<double> m_workspace; // contributions
-  std::vector<double> m_diagonal;  // of D
-  std::vector<double> m_factors;   // of the products that are subtracted
+  std::vector<Number> m_factor;    // the columns of L, front by front, with any numbers above the diagonal
+  std::vector<Number> m_workspace; // contributions
+  std::vector<Number> m_diagonal;  // of D
+  std::vector<Number> m_factors;   // of the products that are subtracted
   Eigen::ComputationInfo m_info = Eigen::InvalidInput;
 };
 

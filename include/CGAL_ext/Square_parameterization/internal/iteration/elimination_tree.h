@@ -24,14 +24,15 @@ struct Column_tree
 /// finds the elimination tree of a matrix of which the upper triangle is stored.
 /// Davis, Direct Methods for Sparse Linear Systems, 2006, sections 4.1 and 4.3: the columns where a row of the factor has
 /// an entry are those on the paths from its entries in the matrix up to its diagonal
-inline Column_tree elimination_tree(const Eigen::SparseMatrix<double>& upper)
+template <class Number>
+Column_tree elimination_tree(const Eigen::SparseMatrix<Number>& upper)
 {
   const int n = static_cast<int>(upper.cols());
   Column_tree tree{std::vector<int>(n, -1), std::vector<int>(n, 0)};
   std::vector<int> visited_for(n, -1);
   for(int row = 0; row < n; ++row) {
     visited_for[row] = row;
-    for(Eigen::SparseMatrix<double>::InnerIterator entry(upper, row); entry; ++entry)
+    for(typename Eigen::SparseMatrix<Number>::InnerIterator entry(upper, row); entry; ++entry)
       for(int j = static_cast<int>(entry.row()); visited_for[j] != row; j = tree.parent[j]) {
         if(tree.parent[j] < 0)
           tree.parent[j] = row;

@@ -43,7 +43,7 @@ private:
 
 /// for symmetric positive definite matrices of which the upper triangle is stored. The rows come in a fill-reducing
 /// order already (see `Convex_combination_system`), so that no factorization has to permute the matrix.
-using Symmetric_solver = Direct_solver<Multifrontal_ldlt>;
+using Symmetric_solver = Direct_solver<Multifrontal_ldlt<double>>;
 
 /// for matrices with a symmetric pattern, rows in a fill-reducing order already. A convex combination matrix is a
 /// diagonally dominant M-matrix, for which elimination along the diagonal is stable: no pivot is looked for.

@@ -62,6 +62,9 @@ public:
   /// the row of vertex \p v
   int rank(int v) const { return m_rank[v]; }
 
+  /// the places of the entries; its values are not to be read
+  const Eigen::SparseMatrix<char>& pattern() const { return m_pattern; }
+
   /// a matrix to be set, with all its places
   Matrix make() const { return m_pattern.cast<Number_per_axis>(); }
 
@@ -72,25 +75,35 @@ public:
     const Eigen::RowVector2d to_rectangle = energy.scale(uv);
     Number_per_axis* const values = matrix.valuePtr();
     std::fill_n(values, matrix.nonZeros(), Number_per_axis());
-    const auto entries_of = [&](int f) { return Entries(energy.hessian_blocks(f, uv, to_rectangle)); };
-    const auto add = [&](int f, const Entries& entries, double) {
+    typedef Balanced_energy::Hessian_blocks Blocks;
+    const auto blocks_of = [&](int f) { return energy.hessian_blocks(f, uv, to_rectangle); };
+    const auto add = [&](int f, const Blocks& blocks, double) {
       const auto& t = m_patch.triangles[f];
-      for(int axis = 0; axis < 2; ++axis)
-        for(int k = 0; k < 3; ++k) {
-          const int next = (k + 1) % 3;
-          if(!is_free(t[k], axis))
-            continue;
-          values[m_diagonal[t[k]]][axis] += entries.diagonal[axis][k];
-          if(is_free(t[next], axis))
-            values[m_sides[f][k]][axis] += entries.sides[axis][k];
-        }
+      for(int k = 0; k < 3; ++k) {
+        values[m_diagonal[t[k]]] += Number_per_axis(blocks.diagonal[k]);
+        values[m_sides[f][k]] += Number_per_axis(blocks.sides[k]);
+      }
     };
     double nothing = 0;
     if(m_division == nullptr || !m_division->is_divided())
       for(int f = 0; f < m_patch.number_of_faces(); ++f)
-        add(f, entries_of(f), nothing);
+        add(f, blocks_of(f), nothing);
     else
-      for_divided_triangles<Entries>(*m_division, nothing, entries_of, add);
+      for_divided_triangles<Blocks>(*m_division, nothing, blocks_of, add);
+    fix(is_free, matrix);
+  }
+
+  /// gives unit rows to the coordinates that may not move, in a matrix that was set
+  void fix(const Free_coordinates& is_free, Matrix& matrix) const
+  {
+    Number_per_axis* const values = matrix.valuePtr();
+    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
+      const auto& t = m_patch.triangles[f];
+      for(int axis = 0; axis < 2; ++axis)
+        for(int k = 0; k < 3; ++k)
+          if(!is_free(t[k], axis) || !is_free(t[(k + 1) % 3], axis))
+            values[m_sides[f][k]][axis] = 0;
+    }
     for(int v = 0; v < m_patch.number_of_vertices(); ++v)
       for(int axis = 0; axis < 2; ++axis)
         if(!is_free(v, axis))
@@ -98,22 +111,6 @@ public:
   }
 
 private:
-  /// the upper triangles of the blocks of a triangle, on and beside the diagonal
-  struct Entries
-  {
-    Entries() = default;
-    explicit Entries(const Balanced_energy::Hessian_blocks& blocks)
-    {
-      for(int axis = 0; axis < 2; ++axis)
-        for(int k = 0; k < 3; ++k) {
-          diagonal[axis][k] = blocks.of_axis[axis](k, k);
-          sides[axis][k] = blocks.of_axis[axis](k, (k + 1) % 3);
-        }
-    }
-
-    std::array<std::array<double, 3>, 2> diagonal, sides; // entry k of the sides is (k, k + 1)
-  };
-
   const Patch& m_patch;
   std::vector<int> m_rank;
   const Patch_division* m_division;

@@ -4,11 +4,10 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_AXIS_PRECONDITIONER_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_AXIS_PRECONDITIONER_H
 
+#include <CGAL_ext/Square_parameterization/internal/iteration/Multifrontal_ldlt.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_matrix.h>
 
-#include <Eigen/SparseCholesky>
-
-#include <algorithm>
+#include <memory>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -16,7 +15,7 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the two matrices of `Axis_matrix`, factored at once, and several times as fast as one with two unknowns per vertex.
-/// One symbolic analysis serves every border.
+/// One symbolic analysis serves every border, and every thread.
 class Axis_preconditioner
 {
 public:
@@ -24,34 +23,33 @@ public:
   struct Factors
   {
     Axis_matrix::Matrix matrix;
-    Eigen::SimplicialLDLT<Axis_matrix::Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> of_axes;
+    Multifrontal_ldlt<Number_per_axis> of_axes;
     Axis_matrix::Vector right_hand_side, solution;
-
-    /// indicates whether one of the systems is singular; Eigen sees it where both are, in the same row
-    bool is_singular() const
-    {
-      const auto diagonal = of_axes.vectorD();
-      return std::any_of(diagonal.begin(), diagonal.end(),
-                         [](const Number_per_axis& d) { return d[0] == 0 || d[1] == 0; });
-    }
   };
 
   /// \param division see `Axis_matrix`
   explicit Axis_preconditioner(const Patch& patch, const Patch_division* division = nullptr)
-    : m_matrix(patch, fill_reducing_order(patch.number_of_vertices(), patch.edges), division)
+    : m_matrix(patch, fill_reducing_order(patch.number_of_vertices(), patch.edges), division),
+      m_fronts(std::make_shared<const Elimination_fronts>(m_matrix.pattern()))
   {}
 
-  /// factors the two matrices at \p uv; false when that fails
+  /// factors the two matrices at \p uv; false when one of them is singular
   bool factorize(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
                  Factors& factors) const
   {
     if(factors.matrix.nonZeros() == 0) {
       factors.matrix = m_matrix.make();
-      factors.of_axes.analyzePattern(factors.matrix);
+      factors.of_axes = Multifrontal_ldlt<Number_per_axis>(m_fronts);
     }
     m_matrix.set(energy, uv, is_free, factors.matrix);
-    factors.of_axes.factorize(factors.matrix);
-    return !factors.is_singular();
+    return factorize(factors);
+  }
+
+  /// factors the two matrices of the last call with fewer coordinates that may move; false when one is singular
+  bool factorize_fewer(const Free_coordinates& is_free, Factors& factors) const
+  {
+    m_matrix.fix(is_free, factors.matrix);
+    return factorize(factors);
   }
 
   /// replaces \p x, which is zero where coordinates may not move, by the solution of both systems
@@ -67,7 +65,14 @@ public:
   }
 
 private:
+  static bool factorize(Factors& factors)
+  {
+    factors.of_axes.factorize(factors.matrix);
+    return factors.of_axes.info() == Eigen::Success;
+  }
+
   Axis_matrix m_matrix;
+  std::shared_ptr<const Elimination_fronts> m_fronts;
 };
 
 } // namespace internal

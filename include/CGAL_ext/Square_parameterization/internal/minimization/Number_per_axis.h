@@ -19,6 +19,7 @@ class Number_per_axis
 public:
   Number_per_axis(double both = 0) : m_numbers(both, both) {}
   Number_per_axis(double u, double v) : m_numbers(u, v) {}
+  explicit Number_per_axis(const Eigen::Array2d& numbers) : m_numbers(numbers) {}
 
   double& operator[](int axis) { return m_numbers[axis]; }
   double operator[](int axis) const { return m_numbers[axis]; }
@@ -51,16 +52,10 @@ public:
   }
   friend bool operator!=(const Number_per_axis& a, const Number_per_axis& b) { return !(a == b); }
 
-  /// what the code of Eigen that L L^T and L D L^T share must compile with
-  friend bool operator<=(const Number_per_axis& a, const Number_per_axis& b)
-  {
-    return (a.m_numbers <= b.m_numbers).all();
-  }
-  friend Number_per_axis sqrt(const Number_per_axis& a) { return Number_per_axis(a.m_numbers.sqrt()); }
+  /// see `Multifrontal_ldlt`
+  friend bool is_pivot(const Number_per_axis& a) { return a.m_numbers.isFinite().all() && (a.m_numbers != 0).all(); }
 
 private:
-  explicit Number_per_axis(const Eigen::Array2d& numbers) : m_numbers(numbers) {}
-
   Eigen::Array2d m_numbers;
 };
 

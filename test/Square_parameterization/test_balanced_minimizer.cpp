@@ -92,6 +92,37 @@ TEST_CASE("the energy of a star is that of the map but for a constant, and its s
   }
 }
 
+TEST_CASE("triangles that are added to a star in pairs count as those that are added one by one")
+{
+  const Patch patch = make_patch_of(saddle(5));
+  const Uv_coordinates uv = some_map(patch);
+  for(const Eigen::RowVector2d& scale : {Eigen::RowVector2d(1, 1), Eigen::RowVector2d(2, 0.5)})
+    for(int v = 0; v < patch.number_of_vertices(); ++v) {
+      Vertex_star one_by_one(0.3, scale), in_pairs(0.3, scale);
+      for(Vertex_star* star : {&one_by_one, &in_pairs})
+        star->clear(uv.row(v));
+      std::vector<Corner_shape> shapes;
+      std::vector<Eigen::RowVector2d> q, r;
+      for(int f = 0; f < patch.number_of_faces(); ++f)
+        for(int k = 0; k < 3; ++k)
+          if(const auto& t = patch.triangles[f]; t[k] == v) {
+            shapes.push_back(corner_shape(patch.shapes[f], k));
+            q.push_back(uv.row(t[(k + 1) % 3]));
+            r.push_back(uv.row(t[(k + 2) % 3]));
+          }
+      for(std::size_t i = 0; i < shapes.size(); ++i)
+        one_by_one.add(shapes[i], q[i], r[i]);
+      for(std::size_t i = 0; i + 1 < shapes.size(); i += 2)
+        in_pairs.add(Corner_pair(shapes[i], shapes[i + 1]), {q[i], q[i + 1]}, {r[i], r[i + 1]});
+      if(shapes.size() % 2 == 1)
+        in_pairs.add(shapes.back(), q.back(), r.back());
+      Eigen::RowVector2d a = uv.row(v), b = a;
+      CHECK(in_pairs.energy(a) == Approx(one_by_one.energy(a)).epsilon(1e-13));
+      CHECK(one_by_one.improve(a, {true, true}) == in_pairs.improve(b, {true, true}));
+      CHECK((a - b).norm() < 1e-9);
+    }
+}
+
 TEST_CASE("a sweep lowers the energy, moves only what is free, and flips nothing")
 {
   for(const Patch& patch : patches())
@@ -137,53 +168,10 @@ TEST_CASE("the preconditioner inverts the blocks of the Hessian, with unit rows 
         for(int i = 0; i < 3; ++i)
           for(int j = 0; j < 3; ++j)
             x(patch.triangles[f][i], axis) +=
-                energy.hessian_blocks(f, uv, {1, 1}).of_axis[axis](i, j) * expected(patch.triangles[f][j], axis);
+                energy.hessian_blocks(f, uv, {1, 1}).of_axis(axis)(i, j) * expected(patch.triangles[f][j], axis);
     x = is_free.select(x, 0.);
     preconditioner.apply(factors, x);
     CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-9);
-  }
-}
-
-TEST_CASE("two matrices are factored at once as each by itself")
-{
-  const int n = 40;
-  std::array<Eigen::MatrixXd, 2> dense;
-  for(unsigned int axis = 0; axis < 2; ++axis) {
-    const Uv_coordinates random = random_coordinates(n * n, 5 + axis);
-    dense[axis] = Eigen::MatrixXd::Identity(n, n) * n;
-    for(int i = 0; i < n; ++i)
-      for(int j = i % 7 + 1; j <= i; j += 7)
-        dense[axis](i, j) = dense[axis](j, i) += random(n * i + j, 0);
-  }
-  Eigen::SparseMatrix<Number_per_axis> both(n, n);
-  Eigen::Matrix<Number_per_axis, Eigen::Dynamic, 1> right_hand_side(n);
-  for(int j = 0; j < n; ++j) {
-    right_hand_side[j] = {1. + j, 2. - j};
-    for(int i = 0; i <= j; ++i)
-      if(dense[0](i, j) != 0)
-        both.insert(i, j) = {dense[0](i, j), dense[1](i, j)};
-  }
-  const Eigen::Matrix<Number_per_axis, Eigen::Dynamic, 1> solution =
-      Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number_per_axis>, Eigen::Upper>(both).solve(right_hand_side);
-  for(int axis = 0; axis < 2; ++axis) {
-    const auto of_axis = [axis](const Number_per_axis& x) { return x[axis]; };
-    const Eigen::VectorXd b = right_hand_side.unaryExpr(of_axis), x = solution.unaryExpr(of_axis);
-    const Eigen::SparseMatrix<double> sparse = dense[axis].sparseView();
-    CHECK(x.isApprox(Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper>(sparse).solve(b), 1e-14));
-    CHECK((dense[axis] * x - b).norm() < 1e-12 * b.norm());
-  }
-}
-
-TEST_CASE("factors are singular when those of one axis are")
-{
-  const Number_per_axis one(1), zero_u(0, 1), zero_v(1, 0), zero(0);
-  for(const Number_per_axis& pivot : {one, zero_u, zero_v, zero}) {
-    Axis_preconditioner::Factors factors;
-    factors.matrix.resize(2, 2);
-    factors.matrix.insert(0, 0) = one;
-    factors.matrix.insert(1, 1) = pivot;
-    factors.of_axes.compute(factors.matrix);
-    CHECK(factors.is_singular() == (pivot != one));
   }
 }
 
@@ -265,6 +253,20 @@ TEST_CASE("the work of a map is that of its steps, and more where triangles stan
     const Uv_coordinates map = some_map(patch);
     CHECK(work_beside_steps(map) == 0);
     CHECK(work_beside_steps(squeezed(patch, map)) >= Minimizer_numbers::ROUNDABOUT_WORK * patch.number_of_vertices());
+  }
+}
+
+TEST_CASE("a minimization ends when its steps have cost what they may")
+{
+  const Patch patch = make_patch_of(noisy_height_field(12));
+  const Balanced_minimizer minimizer(patch, minimization_of(0.3, true));
+  Balanced_minimizer::Workspace workspace;
+  const long step = Minimizer_numbers::STEP_WORK * patch.number_of_vertices();
+  for(long steps : {0, 1, 3}) {
+    const Minimized_map map = minimizer.minimize({some_map(patch), {}, {}}, 0, {600, steps * step}, workspace);
+    CHECK(map.report.iterations == steps + 1); // the one that goes beyond
+    CHECK(map.work == (steps + 1) * step);
+    CHECK(map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS);
   }
 }
 

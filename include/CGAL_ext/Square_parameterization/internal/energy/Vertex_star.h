@@ -36,6 +36,28 @@ inline Corner_shape corner_shape(const Flat_triangle& shape, int corner)
           (plane[corner] - start).dot(side) / squared_side};
 }
 
+/// two triangles that share the corner that moves: what is computed of one is computed of both by the same instructions
+struct Corner_pair
+{
+  Corner_pair() = default;
+  Corner_pair(const Corner_shape& a, const Corner_shape& b)
+    : inverse_twice_area(a.inverse_twice_area, b.inverse_twice_area),
+      squared_side(a.squared_side, b.squared_side),
+      squared_height(a.squared_height, b.squared_height),
+      foot(a.foot, b.foot)
+  {}
+
+  /// one triangle, which counts as two with half of the energy
+  static Corner_pair of_one(Corner_shape shape)
+  {
+    shape.squared_side /= 2;
+    shape.squared_height /= 2;
+    return {shape, shape};
+  }
+
+  Eigen::Array2d inverse_twice_area, squared_side, squared_height, foot; // see `Corner_shape`
+};
+
 /// the balanced energy (see `Balanced_energy`) of the triangles around one vertex, as a function of its uv position p
 /// alone.
 ///
@@ -61,10 +83,20 @@ public:
   /// adds a triangle of which the vertex is a corner; \p q and \p r are the uv positions of the next two corners
   void add(const Corner_shape& shape, const Eigen::RowVector2d& q, const Eigen::RowVector2d& r)
   {
-    const Eigen::RowVector2d start = on_rectangle(q) - m_origin, side = on_rectangle(r - q);
-    const Eigen::RowVector2d slope = shape.inverse_twice_area * Eigen::RowVector2d(-side.y(), side.x());
-    m_corners.push_back({-start.dot(slope), shape.squared_side, shape.squared_height * side.squaredNorm(),
-                         start + shape.foot * side, slope, 0});
+    add(Corner_pair::of_one(shape), {q, q}, {r, r});
+  }
+
+  /// adds two triangles
+  void add(const Corner_pair& shapes, const std::array<Eigen::RowVector2d, 2>& q,
+           const std::array<Eigen::RowVector2d, 2>& r)
+  {
+    const Numbers q_u(q[0].x(), q[1].x()), q_v(q[0].y(), q[1].y()), r_u(r[0].x(), r[1].x()), r_v(r[0].y(), r[1].y());
+    const Numbers start_u = q_u * m_to_rectangle.x() - m_origin.x(), side_u = (r_u - q_u) * m_to_rectangle.x();
+    const Numbers start_v = q_v * m_to_rectangle.y() - m_origin.y(), side_v = (r_v - q_v) * m_to_rectangle.y();
+    const Numbers slope_u = -shapes.inverse_twice_area * side_v, slope_v = shapes.inverse_twice_area * side_u;
+    m_corners.push_back({-(start_u * slope_u + start_v * slope_v), shapes.squared_side,
+                         shapes.squared_height * (side_u * side_u + side_v * side_v), start_u + shapes.foot * side_u,
+                         start_v + shapes.foot * side_v, slope_u, slope_v, Numbers(0, 0)});
   }
 
   /// the energy with the vertex at \p position; infinite when a triangle is not counter-clockwise
@@ -92,16 +124,22 @@ public:
   }
 
 private:
-  struct Corner
-  {
-    double determinant_at_origin, squared_side, least_dirichlet;
-    Eigen::RowVector2d foot, determinant_slope;
-    double inverse_determinant; // where the derivatives were taken
+  typedef Eigen::Array2d Numbers; // of two triangles
 
-    double determinant(const Eigen::RowVector2d& p) const { return determinant_at_origin + determinant_slope.dot(p); }
-    double dirichlet(const Eigen::RowVector2d& p) const
+  struct Corners
+  {
+    Numbers determinant_at_origin, squared_side, least_dirichlet;
+    Numbers foot_u, foot_v, determinant_by_u, determinant_by_v;
+    Numbers inverse_determinant; // where the derivatives were taken
+
+    Numbers determinant(const Eigen::RowVector2d& p) const
     {
-      return squared_side * (p - foot).squaredNorm() + least_dirichlet;
+      return determinant_at_origin + determinant_by_u * p.x() + determinant_by_v * p.y();
+    }
+    Numbers dirichlet(const Eigen::RowVector2d& p) const
+    {
+      const Numbers u = p.x() - foot_u, v = p.y() - foot_v;
+      return squared_side * (u * u + v * v) + least_dirichlet;
     }
   };
 
@@ -121,35 +159,36 @@ private:
 
   double energy_at(const Eigen::RowVector2d& p) const
   {
-    double energy = 0;
-    for(const Corner& corner : m_corners) {
-      const double J = corner.determinant(p);
-      if(!(J > 0))
+    Numbers energy(0, 0);
+    for(const Corners& corners : m_corners) {
+      const Numbers J = corners.determinant(p);
+      if(!(J > 0).all())
         return std::numeric_limits<double>::infinity();
-      energy += corner.dirichlet(p) * (1 / (J * J) + m_balance);
+      energy += corners.dirichlet(p) * (1 / (J * J) + m_balance);
     }
-    return energy;
+    return energy.sum();
   }
 
   Derivatives derivatives(const Eigen::RowVector2d& p)
   {
-    double energy = 0, by_u = 0, by_v = 0, uu = 0, uv = 0, vv = 0;
-    for(Corner& corner : m_corners) {
-      const double inverse = 1 / corner.determinant(p), E = corner.dirichlet(p);
-      corner.inverse_determinant = inverse;
-      const double weight = inverse * inverse + m_balance;
-      const double first = -2 * inverse * inverse * inverse; // derivative of the weight by J
-      const double second = -3 * first * inverse * E;        // and the next one, times E
-      const Eigen::RowVector2d& s = corner.determinant_slope;
-      const Eigen::RowVector2d e = 2 * corner.squared_side * (p - corner.foot); // gradient of E
+    Numbers energy(0, 0), by_u(0, 0), by_v(0, 0), uu(0, 0), uv(0, 0), vv(0, 0);
+    for(Corners& corners : m_corners) {
+      const Numbers inverse = 1 / corners.determinant(p), E = corners.dirichlet(p);
+      corners.inverse_determinant = inverse;
+      const Numbers weight = inverse * inverse + m_balance;
+      const Numbers first = -2 * inverse * inverse * inverse; // derivative of the weight by J
+      const Numbers second = -3 * first * inverse * E;        // and the next one, times E
+      const Numbers &s_u = corners.determinant_by_u, &s_v = corners.determinant_by_v;
+      const Numbers e_u = 2 * corners.squared_side * (p.x() - corners.foot_u); // gradient of E
+      const Numbers e_v = 2 * corners.squared_side * (p.y() - corners.foot_v);
       energy += E * weight;
-      by_u += weight * e.x() + first * E * s.x();
-      by_v += weight * e.y() + first * E * s.y();
-      uu += 2 * weight * corner.squared_side + 2 * first * e.x() * s.x() + second * s.x() * s.x();
-      uv += first * (e.x() * s.y() + e.y() * s.x()) + second * s.x() * s.y();
-      vv += 2 * weight * corner.squared_side + 2 * first * e.y() * s.y() + second * s.y() * s.y();
+      by_u += weight * e_u + first * E * s_u;
+      by_v += weight * e_v + first * E * s_v;
+      uu += 2 * weight * corners.squared_side + 2 * first * e_u * s_u + second * s_u * s_u;
+      uv += first * (e_u * s_v + e_v * s_u) + second * s_u * s_v;
+      vv += 2 * weight * corners.squared_side + 2 * first * e_v * s_v + second * s_v * s_v;
     }
-    return {energy, {by_u, by_v}, uu, uv, vv};
+    return {energy.sum(), {by_u.sum(), by_v.sum()}, uu.sum(), uv.sum(), vv.sum()};
   }
 
   static Eigen::RowVector2d newton_step(const Derivatives& d, const std::array<bool, 2>& is_free)
@@ -171,16 +210,17 @@ private:
   /// infinite when none does
   double largest_step(const Eigen::RowVector2d& step) const
   {
-    double loss = 0; // of the area of a triangle, relative, in the whole step
-    for(const Corner& corner : m_corners)
-      loss = (std::max)(loss, -corner.determinant_slope.dot(step) * corner.inverse_determinant);
-    return 1 / loss;
+    Numbers loss(0, 0); // of the area of triangles, relative, in the whole step
+    for(const Corners& corners : m_corners)
+      loss = loss.max(-(corners.determinant_by_u * step.x() + corners.determinant_by_v * step.y()) *
+                      corners.inverse_determinant);
+    return 1 / loss.maxCoeff();
   }
 
   double m_balance;
   Eigen::RowVector2d m_to_rectangle;
   Eigen::RowVector2d m_origin = Eigen::RowVector2d::Zero();
-  std::vector<Corner> m_corners;
+  std::vector<Corners> m_corners;
 };
 
 } // namespace internal

@@ -44,7 +44,9 @@ inline Free_coordinates free_coordinates(const Patch& patch, const Uv_coordinate
 
 /// the largest t for which the uv triangle of the vertices \p t does not lose its area on the way from uv to
 /// uv + t direction; infinite when it does not
-inline double largest_step(const std::array<int, 3>& t, const Uv_coordinates& uv, const Uv_coordinates& direction)
+/// \param bound beyond which it need not be known: then it may be infinite, too
+inline double largest_step(const std::array<int, 3>& t, const Uv_coordinates& uv, const Uv_coordinates& direction,
+                           double bound = std::numeric_limits<double>::infinity())
 {
   const Eigen::RowVector2d a = uv.row(t[1]) - uv.row(t[0]), b = uv.row(t[2]) - uv.row(t[0]);
   const Eigen::RowVector2d da = direction.row(t[1]) - direction.row(t[0]),
@@ -54,6 +56,9 @@ inline double largest_step(const std::array<int, 3>& t, const Uv_coordinates& uv
   };
   // twice the area is constant + linear t + quadratic t^2; its least positive root, without cancellation
   const double quadratic = cross(da, db), linear = cross(a, db) + cross(da, b), constant = cross(a, b);
+  // up to the bound the parabola is above its tangent at 0, or above its chord
+  if(constant + bound * (std::min)(linear, linear + bound * quadratic) > 0)
+    return std::numeric_limits<double>::infinity();
   const double discriminant = linear * linear - 4 * quadratic * constant;
   if(discriminant < 0 || (linear >= 0 && quadratic >= 0))
     return std::numeric_limits<double>::infinity();
@@ -74,7 +79,7 @@ inline double largest_step(const Patch& patch, const Uv_coordinates& uv, const U
                        [&](std::size_t begin, std::size_t end) {
                          Least least = unbounded;
                          for(std::size_t f = begin; f < end; ++f)
-                           least += {largest_step(patch.triangles[f], uv, direction)};
+                           least += {largest_step(patch.triangles[f], uv, direction, least.value)};
                          return least;
                        })
       .value;

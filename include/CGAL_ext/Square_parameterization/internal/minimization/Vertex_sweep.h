@@ -9,6 +9,8 @@
 #include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -25,22 +27,25 @@ class Vertex_sweep
 public:
   /// \param division of the patch, which must live as long
   Vertex_sweep(const Patch& patch, const Patch_division& division, double balance)
-    : m_division(division),
-      m_balance(balance),
-      m_first(patch.points.size() + 1, 0),
-      m_corners(3 * patch.triangles.size())
+    : m_division(division), m_balance(balance), m_first(patch.points.size() + 1, 0)
   {
+    std::vector<int> first(patch.points.size() + 1, 0);
     for(const auto& t : patch.triangles)
       for(int v : t)
-        ++m_first[division.rank(v) + 1];
-    for(std::size_t i = 1; i < m_first.size(); ++i)
-      m_first[i] += m_first[i - 1];
-    std::vector<int> next(m_first.begin(), m_first.end() - 1);
+        ++first[division.rank(v) + 1];
+    for(std::size_t i = 1; i < first.size(); ++i) {
+      m_first[i] = m_first[i - 1] + (first[i] + 1) / 2;
+      first[i] += first[i - 1];
+    }
+    std::vector<std::array<int, 2>> corners(3 * patch.triangles.size()); // a face and a number of its corner
+    std::vector<int> next(first.begin(), first.end() - 1);
     for(int f = 0; f < patch.number_of_faces(); ++f)
-      for(int k = 0; k < 3; ++k) {
-        const auto& t = patch.triangles[f];
-        m_corners[next[division.rank(t[k])]++] = {t[(k + 1) % 3], t[(k + 2) % 3], corner_shape(patch.shapes[f], k)};
-      }
+      for(int k = 0; k < 3; ++k)
+        corners[next[division.rank(patch.triangles[f][k])]++] = {f, k};
+    m_corners.reserve(m_first.back());
+    for(std::size_t rank = 0; rank < patch.points.size(); ++rank)
+      for(int i = first[rank]; i < first[rank + 1]; i += 2)
+        m_corners.push_back(corners_at(patch, corners.data() + i, (std::min)(2, first[rank + 1] - i)));
   }
 
   /// visits every vertex once, in the order of the division; \p uv has no flips before nor after
@@ -72,8 +77,9 @@ private:
         continue;
       star.clear(uv.row(v));
       for(int i = m_first[rank]; i < m_first[rank + 1]; ++i) {
-        const Corner& corner = m_corners[i];
-        star.add(corner.shape, uv.row(corner.q), uv.row(corner.r));
+        const Corners& corners = m_corners[i];
+        star.add(corners.shapes, {uv.row(corners.q[0]), uv.row(corners.q[1])},
+                 {uv.row(corners.r[0]), uv.row(corners.r[1])});
       }
       Eigen::RowVector2d p = uv.row(v);
       if(star.improve(p, {is_free(v, 0), is_free(v, 1)}))
@@ -81,16 +87,33 @@ private:
     }
   }
 
-  struct Corner
+  /// two corners at a vertex, or the last one twice
+  struct Corners
   {
-    int q, r; // the next two corners of the triangle
-    Corner_shape shape;
+    Corner_pair shapes;
+    std::array<int, 2> q, r; // the next two corners of the triangles
   };
+
+  /// \param faces of each a face, and the number of its corner there
+  /// \param number of them, 1 or 2
+  static Corners corners_at(const Patch& patch, const std::array<int, 2>* faces, int number)
+  {
+    Corners result;
+    std::array<Corner_shape, 2> shapes{};
+    for(int i = 0; i < 2; ++i) {
+      const auto [f, k] = faces[(std::min)(i, number - 1)];
+      result.q[i] = patch.triangles[f][(k + 1) % 3];
+      result.r[i] = patch.triangles[f][(k + 2) % 3];
+      shapes[i] = corner_shape(patch.shapes[f], k);
+    }
+    result.shapes = number == 1 ? Corner_pair::of_one(shapes[0]) : Corner_pair(shapes[0], shapes[1]);
+    return result;
+  }
 
   const Patch_division& m_division;
   double m_balance;
-  std::vector<int> m_first;      // #V + 1: the corners at the vertex of rank i are first[i], ..., first[i + 1] - 1
-  std::vector<Corner> m_corners; // 3 #F
+  std::vector<int> m_first;       // #V + 1: the corners at the vertex of rank i are first[i], ..., first[i + 1] - 1
+  std::vector<Corners> m_corners; // half of 3 #F, and half of those vertices that have an odd number
 };
 
 } // namespace internal

@@ -39,12 +39,15 @@ public:
   bool is_clockwise() const { return m_clockwise; }
 
   /// length of the edge from the `i`-th vertex of the walk to the next
-  double length(int i) const { return m_lengths[i % size()]; }
+  double length(int i) const { return m_lengths[wrapped(i)]; }
 
   /// position in the border loop of the `i`-th vertex of the walk
-  int border_position(int i) const { return m_clockwise ? (size() - i % size()) % size() : i % size(); }
+  int border_position(int i) const { return m_clockwise ? (size() - wrapped(i)) % size() : wrapped(i); }
 
 private:
+  /// a division takes longer than all else that is done for a border vertex
+  int wrapped(int i) const { return i < size() ? i : i % size(); }
+
   std::vector<double> m_lengths;
   bool m_clockwise;
   double m_total;

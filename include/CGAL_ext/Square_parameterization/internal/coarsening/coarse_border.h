@@ -6,8 +6,9 @@
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
 
+#include <algorithm>
 #include <optional>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -31,20 +32,22 @@ inline std::optional<Coarse_border> coarse_border(const Patch& fine, const Coars
 {
   if(coarse.patch.border.size() == fine.border.size())
     return Coarse_border{border_uv, {}};
-  std::unordered_map<int, Eigen::RowVector2d> corners; // vertices of the fine patch and their uv
+  std::vector<std::pair<int, Eigen::RowVector2d>> corners; // vertices of the fine patch and their uv
+  const auto find = [&corners](int v) {
+    return std::find_if(corners.begin(), corners.end(), [v](const auto& corner) { return corner.first == v; });
+  };
   const auto is_end = [](double x) { return x == 0 || x == 1; };
   for(Eigen::Index k = 0; k < border_uv.rows(); ++k)
     if(is_end(border_uv(k, 0)) && is_end(border_uv(k, 1)))
-      corners.emplace(fine.border[k], border_uv.row(k));
+      corners.emplace_back(fine.border[k], border_uv.row(k));
   Coarse_border result;
   for(std::size_t i = 0; i < coarse.removals.size(); ++i) {
-    const auto corner = corners.find(coarse.removals[i].vertex);
+    const auto corner = find(coarse.removals[i].vertex);
     if(corner == corners.end())
       continue;
-    const Eigen::RowVector2d place = corner->second;
-    corners.erase(corner);
-    if(!corners.emplace(coarse.removals[i].target, place).second)
+    if(find(coarse.removals[i].target) != corners.end())
       return {};
+    corner->first = coarse.removals[i].target;
     result.removed_corners.push_back(i);
   }
   result.uv.resize(coarse.patch.border.size(), 2);
@@ -53,7 +56,7 @@ inline std::optional<Coarse_border> coarse_border(const Patch& fine, const Coars
     const int v = coarse.fine_vertex[coarse.patch.border[i]];
     while(fine.border[k] != v)
       ++k;
-    const auto corner = corners.find(v);
+    const auto corner = find(v);
     result.uv.row(i) = corner == corners.end() ? Eigen::RowVector2d(border_uv.row(k)) : corner->second;
   }
   return result;

@@ -125,6 +125,12 @@ struct Minimizer_numbers
   /// steps whose common decrease is compared with the tolerance: a single step may gain little by chance
   static constexpr std::size_t STEPS_COMPARED = 5;
 
+  /// a longer run of steps, and the relative decrease in it below which a minimization ends that has taken `LONG_RUN` steps
+  /// or more: maps that are stretched tens of times come nearer to their minima for hundreds of steps. Larger: they end
+  /// farther from it.
+  static constexpr std::size_t LONG_RUN = 30;
+  static constexpr double LEAST_GAIN_IN_LONG_RUN = 2e-4;
+
   /// share of the way to the first triangle without area that a step may go; see `STAR_SAFETY`
   static constexpr double STEP_SAFETY = 0.9;
 
@@ -172,6 +178,11 @@ struct Minimizer_numbers
   /// steps on the mesh itself at most while candidates for the corners are compared: a bound on the time. Fewer: maps
   /// stretched tens of times are compared before they are comparable.
   static constexpr unsigned int SEARCH_ITERATIONS = 60;
+
+  /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
+  /// fewer than `LARGEST_FACTORED` vertices counts as if it had as many: about a second. Less: maps stretched tens of times
+  /// are left before they are near their minimum.
+  static constexpr long MOST_FINAL_SWEEPS = 1000;
 
   /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
   static constexpr int LARGEST_WARM_START = 1000;

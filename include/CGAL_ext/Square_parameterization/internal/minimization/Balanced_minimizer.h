@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,17 @@ public:
       for(Uv_coordinates* of_step : {&gradient, &previous_gradient, &direction, &trial})
         of_step->resize(0, 2);
     }
+  };
+
+  /// where a minimization ends, if it does not converge before
+  struct Limits
+  {
+    unsigned int iterations;                        ///< largest number of steps, with those that the map has behind it
+    long work = (std::numeric_limits<long>::max)(); ///< of these steps, in vertices visited
+
+    /// ends, too, as soon as the energy will stay above it by all that steps promise; the objective is what it would come
+    /// to then, and not below
+    double energy = std::numeric_limits<double>::infinity();
   };
 
   /// of a small patch
@@ -122,17 +134,13 @@ public:
   /// minimises, with the largest number of iterations of the options
   Minimized_map minimize(Minimized_map map, double tolerance, Workspace& workspace) const
   {
-    return minimize(std::move(map), tolerance, m_options.maximum_iterations, workspace);
+    return minimize(std::move(map), tolerance, {m_options.maximum_iterations}, workspace);
   }
 
   /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less
-  /// \param maximum_iterations largest number of steps, with those that the map has behind it
-  /// \param limit ends, too, as soon as the energy will stay above it by all that steps promise; the objective is what
-  ///        it would come to then, and not below the limit
   /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
   ///      iterations and its history, too
-  Minimized_map minimize(Minimized_map map, double tolerance, unsigned int maximum_iterations, Workspace& workspace,
-                         double limit = std::numeric_limits<double>::infinity()) const
+  Minimized_map minimize(Minimized_map map, double tolerance, const Limits& limits, Workspace& workspace) const
   {
     map.uv = in_order(std::move(map.uv));
     const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
@@ -145,7 +153,8 @@ public:
     unsigned int age = 0; // of the factors
     long roundabouts = 0;
     while(true) {
-      if(report.iterations >= maximum_iterations) {
+      if(report.iterations >= limits.iterations ||
+         work_of(report.iterations - first_iteration, roundabouts) > limits.work) {
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
         break;
       }
@@ -162,13 +171,13 @@ public:
         report.stop_reason = Stop_reason::CONVERGED;
         break;
       }
-      if(report.iterations > first_iteration && stays_above(limit, report.history, slope)) {
+      if(report.iterations > first_iteration && stays_above(limits.energy, report.history, slope)) {
         report.stop_reason = Stop_reason::CONVERGED;
-        report.objective = (std::max)(report.objective + slope / 2, limit);
+        report.objective = (std::max)(report.objective + slope / 2, limits.energy);
         break;
       }
       double feasible = largest_step(m_patch, map.uv, workspace.direction);
-      const int tries = go_round_blocked(is_free, memory, map.uv, workspace, slope, feasible);
+      const int tries = go_round_blocked(is_free, age == 0, memory, map.uv, workspace, slope, feasible);
       const bool goes_round = tries > 0;
       roundabouts += tries;
       if(!search_line(report.objective, slope, feasible, map.uv, workspace)) {
@@ -187,9 +196,7 @@ public:
       if(goes_round)
         memory.clear(); // of a step that was none of the whole mesh
     }
-    map.work += (Minimizer_numbers::STEP_WORK * (report.iterations - first_iteration) +
-                 Minimizer_numbers::ROUNDABOUT_WORK * roundabouts) *
-                m_patch.number_of_vertices();
+    map.work += work_of(report.iterations - first_iteration, roundabouts);
     report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
     map.uv = in_given_order(std::move(map.uv));
@@ -243,6 +250,13 @@ private:
     map.report.l2 = std::sqrt(stretch_energy(m_patch, on_rectangle(map.uv, map.aspect)));
   }
 
+  /// what steps and directions round triangles cost, in vertices visited
+  long work_of(long steps, long roundabouts) const
+  {
+    return (Minimizer_numbers::STEP_WORK * steps + Minimizer_numbers::ROUNDABOUT_WORK * roundabouts) *
+           m_patch.number_of_vertices();
+  }
+
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
 
   /// far from the minimum the Hessian changes more from step to step
@@ -254,8 +268,11 @@ private:
 
   static bool gains_little(const std::vector<double>& history, double tolerance)
   {
-    constexpr std::size_t STEPS = Minimizer_numbers::STEPS_COMPARED;
-    return history.size() > STEPS && history[history.size() - 1 - STEPS] - history.back() <= tolerance * history.back();
+    const auto gains_less_in = [&history](std::size_t steps, double gain) {
+      return history.size() > steps && history[history.size() - 1 - steps] - history.back() <= gain * history.back();
+    };
+    return gains_less_in(Minimizer_numbers::STEPS_COMPARED, tolerance) ||
+           gains_less_in(Minimizer_numbers::LONG_RUN, Minimizer_numbers::LEAST_GAIN_IN_LONG_RUN);
   }
 
   /// tells whether the energy will not fall to the limit, by what the next step promises and the last one gained
@@ -295,9 +312,10 @@ private:
   /// turns to another direction where triangles that lose their area on a small part of the way would keep the step
   /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Returns the
   /// number of directions that were tried; if there are any, the factors are of the last one alone.
+  /// \param are_factors_new tells whether the factors are those at \p uv
   /// \param feasible the largest step in the direction
-  int go_round_blocked(const Free_coordinates& is_free, Secant_memory& memory, const Uv_coordinates& uv,
-                       Workspace& workspace, double& slope, double& feasible) const
+  int go_round_blocked(const Free_coordinates& is_free, bool are_factors_new, Secant_memory& memory,
+                       const Uv_coordinates& uv, Workspace& workspace, double& slope, double& feasible) const
   {
     Free_coordinates moves = is_free;
     int tries = 0;
@@ -305,8 +323,11 @@ private:
       ++tries;
       fix_blocked(uv, workspace.direction, moves);
       memory.clear();
-      if(!m_preconditioner.factorize(m_energy, uv, moves, workspace.preconditioner))
+      // at the same map the matrices only lose rows
+      if(!(are_factors_new ? m_preconditioner.factorize_fewer(moves, workspace.preconditioner)
+                           : m_preconditioner.factorize(m_energy, uv, moves, workspace.preconditioner)))
         break;
+      are_factors_new = true;
       workspace.direction = moves.select(-workspace.gradient, 0.);
       m_preconditioner.apply(workspace.preconditioner, workspace.direction);
       slope = dot(workspace.gradient, workspace.direction);
@@ -324,7 +345,7 @@ private:
   void fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
   {
     for(const auto& t : m_patch.triangles)
-      if(is_blocked(largest_step(t, uv, direction)))
+      if(is_blocked(largest_step(t, uv, direction, Minimizer_numbers::BLOCKED_STEP / Minimizer_numbers::STEP_SAFETY)))
         for(int v : t)
           moves(v, 0) = moves(v, 1) = false;
   }

@@ -162,7 +162,8 @@ public:
   {
     if(!is_large(0)) {
       Balanced_minimizer::Workspace workspace;
-      map = m_minimizers[0]->minimize(std::move(map), m_options.tolerance, workspace);
+      map = m_minimizers[0]->minimize(std::move(map), m_options.tolerance,
+                                      {m_options.maximum_iterations, most_final_work()}, workspace);
     }
     m_minimizers[0]->settle(map);
     return map;
@@ -208,8 +209,10 @@ private:
       return Minimized_map();
     const Balanced_minimizer& minimizer = *m_minimizers[level];
     const long relaxation = minimizer.relax(uv, Minimizer_numbers::SWEEPS_OF_TRANSPORTED);
-    Minimized_map map = minimizer.minimize({std::move(uv), {}, {}}, m_options.search_tolerance,
-                                           Minimizer_numbers::SEARCH_ITERATIONS, workspace.levels[level], limit);
+    const Balanced_minimizer::Limits limits{Minimizer_numbers::SEARCH_ITERATIONS, (std::numeric_limits<long>::max)(),
+                                            limit};
+    Minimized_map map =
+        minimizer.minimize({std::move(uv), {}, {}}, m_options.search_tolerance, limits, workspace.levels[level]);
     map.work += relaxation;
     return map;
   }
@@ -281,6 +284,13 @@ private:
     while(level < small && interior(level) > Minimizer_numbers::LARGEST_ROUGH_INTERIOR)
       ++level;
     return level;
+  }
+
+  /// of the steps on the map that is delivered, in vertices visited
+  long most_final_work() const
+  {
+    return Minimizer_numbers::MOST_FINAL_SWEEPS *
+           long((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::LARGEST_FACTORED));
   }
 
   bool is_large(std::size_t level) const
@@ -403,8 +413,8 @@ private:
     const unsigned int most = is_last ? m_options.maximum_iterations
                                       : (std::min)(m_options.maximum_iterations, Minimizer_numbers::SEARCH_ITERATIONS);
     Minimized_map map =
-        minimizer.minimize({std::move(uv), {}, {}}, is_last ? m_options.tolerance : m_options.search_tolerance, most,
-                           workspace.levels[level]);
+        minimizer.minimize({std::move(uv), {}, {}}, is_last ? m_options.tolerance : m_options.search_tolerance,
+                           {most, most_final_work()}, workspace.levels[level]);
     map.work += relaxation + descent.work;
     return map;
   }

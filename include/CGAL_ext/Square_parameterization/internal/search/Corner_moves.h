@@ -83,7 +83,7 @@ public:
     std::vector<Move> moves = all_moves();
     for(int step = (std::max)(1, first_step); step > 0 && !(m_is_exhausted && m_is_exhausted());) {
       const std::vector<Choice> choices = compare(moved(best.corners, moves, step), &best);
-      if(!choices.empty() && choices.front().objective < best.objective) {
+      if(!choices.empty() && is_lower(choices.front(), best)) {
         best = choices.front();
         moves = all_moves();
         continue;
@@ -108,7 +108,7 @@ public:
         if(choice.objective < (1 + LIKELY_RISE) * start.objective)
           likely.push_back(choice.corners);
       const std::vector<Choice> choices = compare(likely, &best);
-      if(!choices.empty() && choices.front().objective < best.objective)
+      if(!choices.empty() && is_lower(choices.front(), best))
         best = choices.front();
       else
         step /= 2;
@@ -136,6 +136,12 @@ public:
 
 private:
   int size() const { return static_cast<int>(m_lengths.size()); }
+
+  /// indicates whether a choice is worth a move
+  static bool is_lower(const Choice& choice, const Choice& best)
+  {
+    return choice.objective < (1 - LEAST_GAIN) * best.objective;
+  }
 
   /// how many steps each corner goes
   typedef std::array<int, 4> Move;
@@ -189,6 +195,8 @@ private:
         result.push_back(next);
     return result;
   }
+
+  static constexpr double LEAST_GAIN = 1e-5; // relative: with less, corners would creep along a border of thousands
 
   static constexpr double LEAST_OFFSET = 0.2; // of a lowest point, in steps: half a step of the next ones, nearly
 

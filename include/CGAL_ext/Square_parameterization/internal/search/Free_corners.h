@@ -85,7 +85,7 @@ public:
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;
-      most_work = most_moving_work(m_patch.number_of_vertices(), is_square);
+      most_work = most_moving_work(is_square);
       std::vector<Corners> ends = ends_of_moves(start, is_square, moves);
       const bool is_certain = m_sketches && keep_best_sketch(start, sketch, most_work, moves, ends);
       map_ends(ends);

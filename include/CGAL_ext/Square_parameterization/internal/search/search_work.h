@@ -15,12 +15,18 @@ constexpr double MOST_SEARCH_WORK = 1200;
 /// even surface. Maps that cost more are too far from their minima when they are compared to tell corners apart.
 constexpr double MOST_WORK_TO_MOVE = 300;
 
-/// what rough maps may cost, in vertices visited, until the corners stay where they are: on the square no more than half of
-/// a search, or a third of a second. A rectangle is sought from several places, with all moves.
-inline double most_moving_work(int number_of_vertices, bool is_square)
+/// vertices that a sweep over the mesh counts for, at most, where sketches are counted, which are as small on all large
+/// meshes
+constexpr int MOST_VERTICES_OF_SKETCH = 5000;
+
+/// the same where maps are counted for a search: of larger meshes that have no sketches fewer slow maps are made
+constexpr int MOST_VERTICES_OF_MAP = 10000;
+
+/// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
+/// than half of a search, a third of a second. A rectangle is sought from several places, with all moves.
+inline double most_moving_work(bool is_square)
 {
-  constexpr int SMALL = 5000; // vertices
-  return (is_square ? 0.5 : 5) * MOST_SEARCH_WORK * (number_of_vertices > SMALL ? number_of_vertices : SMALL);
+  return (is_square ? 0.5 : 5) * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
 }
 
 } // namespace internal

@@ -153,10 +153,13 @@ private:
   }
 
   /// of maps and sketches so far, in sweeps over the mesh
-  double work() const
+  /// \param most_vertices that a sweep of maps counts for
+  double work(int most_vertices = (std::numeric_limits<int>::max)()) const
   {
-    const long vertices = m_evaluation.work() + (m_sketches ? m_sketches->work() : 0);
-    return double(vertices) / m_patch.number_of_vertices();
+    const int vertices = m_patch.number_of_vertices();
+    const double of_sketches =
+        m_sketches ? double(m_sketches->work()) / (std::min)(vertices, MOST_VERTICES_OF_SKETCH) : 0;
+    return double(m_evaluation.work()) / (std::min)(vertices, most_vertices) + of_sketches;
   }
 
   Square_border border_of(int candidate) const
@@ -215,7 +218,7 @@ private:
     if(m_tells_work)
       problem.work = [this] {
         m_heeds_work = true;
-        return work();
+        return work(MOST_VERTICES_OF_MAP);
       };
     problem.circle_stretch = [this] { return m_minimizer.circle_stretch(); };
     problem.corner_distances = [this](int candidate) { return corner_distances(border_of(candidate).uv); };

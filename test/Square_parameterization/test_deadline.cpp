@@ -66,6 +66,23 @@ Square_search_options one_thread(const Deadline& deadline)
 
 } // namespace
 
+TEST_CASE("a score of a cut whose deadline has passed is that of a map that is left as it was begun")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(4, 2));
+  Thread_team team(1, 1);
+  const Cut cut = shortest_cut(surface, team);
+  const auto score_by = [&](const Deadline& deadline) {
+    Cut_score_options options;
+    options.deadline = deadline;
+    return score_cut(surface, cut, options);
+  };
+  const Cut_score least = score_by({}), in_time = score_by(in_seconds(3600)), too_late = score_by(in_seconds(-1));
+  CHECK(in_time.stretch == least.stretch);
+  CHECK(too_late.stretch > least.stretch);
+  CHECK(std::isfinite(too_late.stretch));
+  CHECK(too_late.length == least.length);
+}
+
 TEST_CASE("a minimization whose deadline has passed gives a one-to-one map, and one that is not yet the least")
 {
   const Patch patch = patch_without_chords(without_triangles(ellipsoid(4, 2), {0}));

@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/border/corners_at_shares.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Balanced_energy.h>
@@ -34,6 +35,7 @@ struct Cut_score_options
   double balance = Seam_options().balance;              ///< of the energy that is minimised
   std::optional<double> aspect = Seam_options().aspect; ///< of the rectangle; none for the best
   Cut_numbers numbers = {};
+  Deadline deadline = {}; ///< when it has passed, maps stay as they are
 };
 
 /// what a cut is worth: the lower both, the better
@@ -111,11 +113,11 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
   minimization.aspect = options.aspect;
   minimization.search_tolerance = options.numbers.score_tolerance;
   minimization.maximum_iterations = static_cast<unsigned int>(options.numbers.score_steps);
-  Minimized_map map = make_minimizer(patch, minimization)->make_worker()(border, nullptr);
-  if(map.uv.rows() > 0 || !is_persistent)
+  Minimized_map map = make_minimizer(patch, minimization, options.deadline)->make_worker()(border, nullptr);
+  if(map.uv.rows() > 0 || !is_persistent || has_passed(options.deadline))
     return map;
   const long work = map.work;
-  map = make_minimizer(patch, minimization, {}, Coarsening::BY_EIGHTHS)->make_worker()(border, nullptr);
+  map = make_minimizer(patch, minimization, options.deadline, Coarsening::BY_EIGHTHS)->make_worker()(border, nullptr);
   map.work += work;
   return map;
 }
@@ -177,7 +179,7 @@ private:
     balanced.balance = m_options.balance;
     balanced.aspect = m_options.aspect;
     balanced.maximum_iterations = static_cast<unsigned int>(m_options.numbers.score_steps);
-    m_minimizer = std::make_unique<const Balanced_minimizer>(*m_patch, balanced);
+    m_minimizer = std::make_unique<const Balanced_minimizer>(*m_patch, balanced, m_options.deadline);
     minimize(m_options.numbers.rough_score_tolerance);
   }
 

@@ -58,7 +58,7 @@ class Cut_decision
 public:
   Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report, const Cut_numbers& numbers = {})
     : m_weight(options.cut_weight),
-      m_scoring{options.balance, options.aspect, numbers},
+      m_scoring{options.balance, options.aspect, numbers, options.deadline},
       m_max_cut_length(options.max_cut_length),
       m_deadline(options.deadline),
       m_progress(options.visitor),

@@ -209,7 +209,7 @@ TEST_CASE("bracketing ends early where maps are slow, and not where they are not
   Search_conditions conditions;
   conditions.work_per_map = 20;
   CHECK(search_curve(curve, Bracketing_corner_search(), conditions).best_candidate == 137);
-  conditions.work_per_map = 500;
+  conditions.work_per_map = 1000;
   const Search_report slow = search_curve(curve, Bracketing_corner_search(), conditions);
   CHECK(slow.evaluations == 3); // the first, and, as little is left of the work, one step from there
   CHECK_FALSE(slow.is_cancelled);

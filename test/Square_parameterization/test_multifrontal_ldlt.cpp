@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
 #include <set>
 #include <vector>
 
@@ -150,7 +149,8 @@ TEST_CASE("the multifrontal factorization of two matrices of one pattern solves 
         right_hand_side[i] = {b(i, 0), b(i, 1)};
       for(int k = 0; k < both.nonZeros(); ++k)
         both.valuePtr()[k] = {u.valuePtr()[k], v.valuePtr()[k]};
-      Multifrontal_ldlt<Number_per_axis> ldlt(std::make_shared<const Elimination_fronts>(u));
+      Multifrontal_ldlt<Number_per_axis> ldlt;
+      ldlt.analyzePattern(both);
       ldlt.factorize(both);
       REQUIRE(ldlt.info() == Eigen::Success);
       const Axis_matrix::Vector x = ldlt.solve(right_hand_side);

@@ -27,7 +27,7 @@ namespace CGAL_ext {
 /// sketch, which is the only one that is mapped.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
-/// the maps and sketches have cost as much as those of twenty-five candidates of an even surface.
+/// the maps and sketches have cost as much as those of fifty candidates of an even surface.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
 /// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -40,11 +39,6 @@ public:
   template <int COLUMNS>
   using Columns = Eigen::Matrix<Number, Eigen::Dynamic, COLUMNS>;
 
-  Multifrontal_ldlt() = default;
-
-  /// for the matrices of a pattern that is analyzed already
-  explicit Multifrontal_ldlt(std::shared_ptr<const Elimination_fronts> fronts) : m_fronts(std::move(fronts)) {}
-
   /// \param upper the upper triangle of a matrix, compressed, its columns in an order of little fill
   void analyzePattern(const Matrix& upper) { m_fronts = std::make_shared<const Elimination_fronts>(upper); }
 
@@ -62,6 +56,7 @@ public:
         return;
       contribute(front);
     }
+    m_workspace = std::vector<Number>(); // `= {}` would keep the memory
     m_info = Eigen::Success;
   }
 

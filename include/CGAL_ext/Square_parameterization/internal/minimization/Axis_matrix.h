@@ -62,9 +62,6 @@ public:
   /// the row of vertex \p v
   int rank(int v) const { return m_rank[v]; }
 
-  /// the places of the entries; its values are not to be read
-  const Eigen::SparseMatrix<char>& pattern() const { return m_pattern; }
-
   /// a matrix to be set, with all its places
   Matrix make() const { return m_pattern.cast<Number_per_axis>(); }
 

@@ -7,15 +7,13 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Multifrontal_ldlt.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_matrix.h>
 
-#include <memory>
-
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
 namespace internal {
 
 /// the two matrices of `Axis_matrix`, factored at once, and several times as fast as one with two unknowns per vertex.
-/// One symbolic analysis serves every border, and every thread.
+/// One symbolic analysis serves every border.
 class Axis_preconditioner
 {
 public:
@@ -29,8 +27,7 @@ public:
 
   /// \param division see `Axis_matrix`
   explicit Axis_preconditioner(const Patch& patch, const Patch_division* division = nullptr)
-    : m_matrix(patch, fill_reducing_order(patch.number_of_vertices(), patch.edges), division),
-      m_fronts(std::make_shared<const Elimination_fronts>(m_matrix.pattern()))
+    : m_matrix(patch, fill_reducing_order(patch.number_of_vertices(), patch.edges), division)
   {}
 
   /// factors the two matrices at \p uv; false when one of them is singular
@@ -39,7 +36,7 @@ public:
   {
     if(factors.matrix.nonZeros() == 0) {
       factors.matrix = m_matrix.make();
-      factors.of_axes = Multifrontal_ldlt<Number_per_axis>(m_fronts);
+      factors.of_axes.analyzePattern(factors.matrix);
     }
     m_matrix.set(energy, uv, is_free, factors.matrix);
     return factorize(factors);
@@ -72,7 +69,6 @@ private:
   }
 
   Axis_matrix m_matrix;
-  std::shared_ptr<const Elimination_fronts> m_fronts;
 };
 
 } // namespace internal

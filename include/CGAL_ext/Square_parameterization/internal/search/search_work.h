@@ -7,9 +7,9 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// sweeps over the mesh that maps and sketches may cost until a search makes no more of them: those of
-/// twenty-five candidates of an even surface
-constexpr double MOST_SEARCH_WORK = 600;
+/// sweeps over the mesh that maps and sketches may cost until a search makes no more of them: those of fifty candidates of
+/// an even surface
+constexpr double MOST_SEARCH_WORK = 1200;
 
 /// sweeps over the mesh that a map or sketch may cost, in the mean, for corners to move: those of fifteen candidates of an
 /// even surface. Maps that cost more are too far from their minima when they are compared to tell corners apart.
@@ -23,10 +23,10 @@ constexpr int MOST_VERTICES_OF_SKETCH = 5000;
 constexpr int MOST_VERTICES_OF_MAP = 10000;
 
 /// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
-/// than a search, a third of a second. A rectangle is sought from several places, with all moves.
+/// than half of a search, a third of a second. A rectangle is sought from several places, with all moves.
 inline double most_moving_work(bool is_square)
 {
-  return (is_square ? 1 : 10) * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
+  return (is_square ? 0.5 : 5) * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
 }
 
 } // namespace internal

@@ -125,11 +125,12 @@ struct Minimizer_numbers
   /// steps whose common decrease is compared with the tolerance: a single step may gain little by chance
   static constexpr std::size_t STEPS_COMPARED = 5;
 
-  /// a longer run of steps, and the relative decrease in it below which a minimization ends that has taken `LONG_RUN` steps
-  /// or more: maps that are stretched tens of times come nearer to their minima for hundreds of steps. Larger: they end
-  /// farther from it.
+  /// a longer run of steps, whose common decrease is compared with so many tolerances once a minimization has taken
+  /// `MANY_STEPS`: maps that are stretched tens of times come nearer to their minima for hundreds of steps, ever more
+  /// slowly. More tolerances: they end farther from it.
   static constexpr std::size_t LONG_RUN = 30;
-  static constexpr double LEAST_GAIN_IN_LONG_RUN = 2e-4;
+  static constexpr std::size_t MANY_STEPS = 100;
+  static constexpr double TOLERANCES_OF_LONG_RUN = 200;
 
   /// share of the way to the first triangle without area that a step may go; see `STAR_SAFETY`
   static constexpr double STEP_SAFETY = 0.9;

@@ -137,7 +137,8 @@ public:
     return minimize(std::move(map), tolerance, {m_options.maximum_iterations}, workspace);
   }
 
-  /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less
+  /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less, or after many
+  ///        steps the last thirty less than 200 times as much
   /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
   ///      iterations and its history, too
   Minimized_map minimize(Minimized_map map, double tolerance, const Limits& limits, Workspace& workspace) const
@@ -272,7 +273,8 @@ private:
       return history.size() > steps && history[history.size() - 1 - steps] - history.back() <= gain * history.back();
     };
     return gains_less_in(Minimizer_numbers::STEPS_COMPARED, tolerance) ||
-           gains_less_in(Minimizer_numbers::LONG_RUN, Minimizer_numbers::LEAST_GAIN_IN_LONG_RUN);
+           (history.size() > Minimizer_numbers::MANY_STEPS &&
+            gains_less_in(Minimizer_numbers::LONG_RUN, Minimizer_numbers::TOLERANCES_OF_LONG_RUN * tolerance));
   }
 
   /// tells whether the energy will not fall to the limit, by what the next step promises and the last one gained

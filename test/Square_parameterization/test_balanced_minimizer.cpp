@@ -41,7 +41,7 @@ Uv_coordinates random_coordinates(Eigen::Index rows, unsigned int seed)
 /// the map with interior vertices moved to all but an edge of one of their triangles, unless one flips
 Uv_coordinates squeezed(const Patch& patch, Uv_coordinates uv)
 {
-  constexpr double SHARE = 1 - 1e-4; // of the way: nearer, and rounding would decide where steps lead
+  constexpr double SHARE = 1 - 1e-7; // of the way
   std::vector<bool> is_done(patch.number_of_vertices(), false);
   for(int v : patch.border)
     is_done[v] = true;

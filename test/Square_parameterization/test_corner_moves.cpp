@@ -16,6 +16,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 using namespace CGAL_ext;
@@ -48,6 +49,22 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
     found += energy <= 1.001 * all.best_map().report.objective;
   }
   CHECK(found >= 9);
+}
+
+TEST_CASE("corners move on for a gain of twenty millionths, and do not creep along the border for two")
+{
+  const Corners start{0, 25, 50, 75};
+  const auto end_at_gain = [&start](double gain) { // which each vertex that the first corner moves on has
+    Corner_moves moves(std::vector<double>(100, 1.), [gain](const std::vector<Corners>& choices, const Corner_choice*) {
+      std::vector<double> objectives;
+      for(const Corners& corners : choices)
+        objectives.push_back(1 + gain * (std::min)(std::abs(corners[0] - 20), 120 - corners[0])); // a ring of 100
+      return objectives;
+    });
+    return moves.descend(start, 1, Corner_moves::ALL).corners;
+  };
+  CHECK(end_at_gain(2e-6) == start);
+  CHECK(end_at_gain(2e-5)[0] == 20);
 }
 
 TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")

@@ -214,6 +214,12 @@ TEST_CASE("bracketing ends early where maps are slow, and not where they are not
   CHECK(slow.evaluations == 3); // the first, and, as little is left of the work, one step from there
   CHECK_FALSE(slow.is_cancelled);
 
+  conditions.number_of_vertices = 5000; // of which a single map takes long
+  CHECK(search_curve(curve, Bracketing_corner_search(), conditions).evaluations == 1);
+  conditions.work_per_map = 400; // that of an ordinary surface, at most
+  CHECK(search_curve(curve, Bracketing_corner_search(), conditions).evaluations > 3);
+
+  conditions.work_per_map = 1000;
   conditions.sketched_stretch = valley(400, 140);
   const Search_report slow_sketches = search_curve(curve, Bracketing_corner_search(), conditions);
   CHECK(slow_sketches.sketches == 4);

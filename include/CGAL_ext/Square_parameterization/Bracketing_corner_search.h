@@ -56,13 +56,22 @@ public:
     }
     Samples samples(problem);
     samples.evaluate({0});
+    if(is_first_too_costly(problem))
+      return;
     const std::vector<int> even = samples.ring.even_candidates(affordable_samples(problem));
     samples.evaluate({even.begin(), even.end()});
     close_in(samples);
   }
 
 private:
-  /// as many samples as the work for one candidate allows, which is known by now
+  /// indicates whether the first candidate alone, whose work is known by now, took so long that no other is to be mapped
+  static bool is_first_too_costly(const Corner_search_problem& problem)
+  {
+    const double share = (std::min)(1., double(problem.number_of_vertices) / internal::LEAST_VERTICES_OF_COSTLY_MAP);
+    return problem.work && share * problem.work() > internal::MOST_WORK_OF_FIRST_MAP;
+  }
+
+  /// as many samples as the work for the first candidate allows, which is known by now
   int affordable_samples(const Corner_search_problem& problem) const
   {
     const double work = problem.work ? problem.work() : 0;

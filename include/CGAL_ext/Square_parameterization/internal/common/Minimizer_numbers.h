@@ -162,7 +162,7 @@ struct Minimizer_numbers
   /// factors, whose time and memory grow faster than the patch
   static constexpr int LARGEST_FACTORED = 20000;
 
-  // --- from coarse to fine: Multilevel_minimizer ---
+  // --- from coarse to fine: Multilevel_minimizer, Minimizer_levels and Coarse_to_fine_descent ---
 
   /// balance of coarse patches, at least: pure L2 stretch tears coarse maps open elsewhere than fine ones, and a little
   /// balance keeps them alike

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MINIMIZER_LEVELS_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MINIMIZER_LEVELS_H
+
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_sequence.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/transport_map.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/make_level_minimizers.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// a patch, ever coarser copies of it, and what minimises maps of each; level 0 is the patch itself.
+///
+/// The first map of a patch with long protrusions or passages, as many holes and handles leave them, has triangles too
+/// tiny for floating-point numbers, and folded surfaces are not made coarse enough to avoid that. Then patches follow
+/// that do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a
+/// start.
+///
+/// Constant after construction. The patches do not depend on the places of the border vertices, and serve all maps.
+class Minimizer_levels
+{
+public:
+  /// how a coarse patch is mapped
+  struct Start
+  {
+    std::size_t level;
+    std::unique_ptr<Stretch_iteration> iteration;
+  };
+
+  /// the memory of one thread
+  struct Workspace
+  {
+    std::deque<Stretch_iteration::Workspace> starts;  // they cannot be moved
+    std::deque<Balanced_minimizer::Workspace> levels; // nor these
+    std::vector<Map_transport::Workspace> transports;
+  };
+
+  /// \param may_coarsen_border false for maps onto other borders than the unit square, too
+  /// \param deadline when it has passed no patch is minimised any more
+  Minimizer_levels(const Patch& patch, const Balanced_minimization& options, bool may_coarsen_border,
+                   const Deadline& deadline, Coarsening coarsening)
+    : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING, coarsening)
+  {
+    Balanced_minimization coarse_options = options;
+    coarse_options.balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
+    coarse_options.maximum_iterations = Minimizer_numbers::COARSE_ITERATIONS;
+    m_coarse_balance = coarse_options.balance;
+    Coarse_patch_stream stream;
+    Thread_team::current()(2, [&](std::size_t i) { // the second waits for the first
+      if(i == 0)
+        make_patches(options.start, deadline, stream);
+      else
+        m_minimizers = make_level_minimizers(patch, stream, options, coarse_options, deadline);
+    });
+    Thread_team::current()(m_patches.size(), [this](std::size_t level) {
+      if(is_large(level))
+        m_minimizers[level]->set_coarser(m_patches.coarse(level + 1), *m_minimizers[level + 1]);
+    });
+    m_transports.resize(m_patches.size());
+    for(std::size_t level : {m_warm, m_sketched, m_rough})
+      if(!m_transports[level])
+        m_transports[level] = std::make_unique<Map_transport>(m_patches[level]);
+    for(std::size_t level = 1; level < m_patches.size(); ++level)
+      if(m_minimizers[level]->has_own_faces() && !m_transports[level] && !is_start(level))
+        m_patches.forget_faces(level);
+  }
+
+  const Patch_sequence& patches() const { return m_patches; }
+  const Balanced_minimizer& minimizer(std::size_t level) const { return *m_minimizers[level]; }
+
+  /// the patch whose maps are warm starts
+  std::size_t warm() const { return m_warm; }
+
+  /// the patch on which candidates are compared
+  std::size_t sketched() const { return m_sketched; }
+
+  /// the patch on which corners are moved
+  std::size_t rough() const { return m_rough; }
+
+  /// carries maps of the warm, the sketched and the rough level over to other borders
+  const Map_transport& transport(std::size_t level) const { return *m_transports[level]; }
+
+  /// from the coarsest patch that keeps its shape, and from the coarsest
+  const std::vector<Start>& starts() const { return m_starts; }
+
+  /// of the energy that is minimised on coarse patches
+  double coarse_balance() const { return m_coarse_balance; }
+
+  /// indicates whether the coarser patches take the place of factors
+  bool is_large(std::size_t level) const
+  {
+    return level + 1 < m_patches.size() && m_patches[level].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED;
+  }
+
+  /// makes room for a new map
+  void prepare(Workspace& workspace) const
+  {
+    workspace.levels.resize(m_minimizers.size());
+    for(std::size_t level = 0; level < m_minimizers.size(); ++level) {
+      auto& memory = workspace.levels[level].preconditioner;
+      memory.is_set = false;
+      memory.coarser = level + 1 < m_minimizers.size() ? &workspace.levels[level + 1].preconditioner : nullptr;
+    }
+    workspace.starts.resize(m_starts.size());
+    workspace.transports.resize(m_minimizers.size());
+  }
+
+private:
+  /// makes the patches, from fine to coarse
+  void make_patches(const Stretch_minimization& start, const Deadline& deadline, Coarse_patch_stream& stream)
+  {
+    struct End // also when an exception is thrown
+    {
+      explicit End(Coarse_patch_stream& of) : stream(of) {}
+      ~End() { stream.end(); }
+      Coarse_patch_stream& stream;
+    };
+    const End end(stream);
+    const auto coarsen = [&](Patch_sequence::Shapes_kept shapes_kept) { // and starts from the coarsest
+      m_patches.coarsen(shapes_kept, [&stream](const Coarse_patch& coarse) { stream.add(coarse); });
+      const std::size_t coarsest = m_patches.size() - 1;
+      if(m_starts.empty() || m_starts.back().level < coarsest)
+        m_starts.push_back(
+            {coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], start, make_direct_solver, deadline)});
+    };
+    coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT});
+    m_warm = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
+    m_sketched = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
+    m_rough = finest_rough_level();
+    coarsen({std::nullopt});
+  }
+
+  /// the finest patch that is small, or not much larger and half border; the coarsest when all are large
+  std::size_t finest_rough_level() const
+  {
+    const std::size_t small = m_patches.finest_with(Minimizer_numbers::LARGEST_ROUGH);
+    std::size_t level = m_patches.finest_with(2 * Minimizer_numbers::LARGEST_ROUGH);
+    const auto interior = [this](std::size_t i) {
+      return m_patches[i].number_of_vertices() - static_cast<int>(m_patches[i].border.size());
+    };
+    while(level < small && interior(level) > Minimizer_numbers::LARGEST_ROUGH_INTERIOR)
+      ++level;
+    return level;
+  }
+
+  /// indicates whether maps begin with the patch
+  bool is_start(std::size_t level) const
+  {
+    return std::any_of(m_starts.begin(), m_starts.end(), [level](const Start& start) { return start.level == level; });
+  }
+
+  Patch_sequence m_patches;
+  std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
+  std::vector<std::unique_ptr<Map_transport>> m_transports;      // null where maps are not carried over
+  std::vector<Start> m_starts;
+  double m_coarse_balance = 0;
+  std::size_t m_warm = 0, m_sketched = 0, m_rough = 0; // levels
+};
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MINIMIZER_LEVELS_H

@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_sequence.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Ordered_patch.h>
 
 #include <catch2/catch.hpp>
 

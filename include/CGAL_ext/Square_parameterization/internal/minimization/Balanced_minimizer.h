@@ -9,14 +9,13 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_steps.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Secant_memory.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
-#include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Ordered_patch.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -27,30 +26,14 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// minimises the balanced energy from a map without flips, and never leaves the maps without flips: L-BFGS with the
-/// blocks of the Hessian as preconditioner, and one sweep over the vertices after each step.
-///
-/// A step goes at most nine tenths of the way to the first triangle without area; the line search halves. The sweep
-/// then mends the triangles that stood in the way, which would keep the next steps short, too.
+/// minimises the balanced energy from a map without flips, and never leaves the maps without flips; see `Balanced_steps`
 ///
 /// Works with the threads of the current team; the result does not depend on their number. A patch that is large enough to
 /// be divided is worked on in the order of its division, where neighbors are near in memory.
 class Balanced_minimizer
 {
 public:
-  /// the memory of one thread
-  struct Workspace
-  {
-    Multigrid_preconditioner::Memory preconditioner;
-    Uv_coordinates gradient, previous_gradient, direction, trial;
-
-    /// frees what no minimizer of a finer patch needs
-    void end_steps()
-    {
-      for(Uv_coordinates* of_step : {&gradient, &previous_gradient, &direction, &trial})
-        of_step->resize(0, 2);
-    }
-  };
+  typedef Balanced_steps::Workspace Workspace;
 
   /// where a minimization ends, if it does not converge before
   struct Limits
@@ -73,20 +56,15 @@ public:
   /// \param has_coarser for a large patch, of which coarser ones are minimised before: `set_coarser()` is to follow
   Balanced_minimizer(const Patch_division& division, bool has_coarser, const Patch& patch,
                      const Balanced_minimization& options, const Deadline& deadline)
-    : m_given_patch(patch),
-      m_ordered_patch(division.is_divided() ? in_order_of(division, patch) : Patch()),
-      m_patch(division.is_divided() ? m_ordered_patch : patch),
-      m_order(division.order()),
-      m_division(division.is_divided() ? division.in_order() : division),
-      m_energy(m_patch, options.balance, options.aspect, &m_division),
-      m_preconditioner(has_coarser ? Multigrid_preconditioner::of_large(m_patch, m_division)
-                                   : Multigrid_preconditioner(m_patch, m_division)),
-      m_sweep(m_patch, m_division, options.balance),
+    : m_patch(division, patch),
+      m_energy(*m_patch, options.balance, options.aspect, &m_patch.division()),
+      m_preconditioner(has_coarser ? Multigrid_preconditioner::of_large(*m_patch, m_patch.division())
+                                   : Multigrid_preconditioner(*m_patch, m_patch.division())),
+      m_sweep(*m_patch, m_patch.division(), options.balance),
       m_options(options),
       m_deadline(deadline)
   {
-    // the matrices alone need them, while they are made; `= {}` would keep the memory
-    m_ordered_patch.edges = std::vector<std::array<int, 2>>();
+    m_patch.forget_edges(); // the matrices alone need them, while they are made
   }
 
   Balanced_minimizer(const Balanced_minimizer&) = delete;
@@ -95,30 +73,31 @@ public:
   /// tells a minimizer of a large patch of the next coarser one, and what minimises it
   void set_coarser(const Coarse_patch& to_coarser, const Balanced_minimizer& coarser)
   {
-    std::vector<int> rank(m_order.size());
+    const std::vector<int>& order = m_patch.order();
+    std::vector<int> rank(order.size());
     for(std::size_t i = 0; i < rank.size(); ++i)
-      rank[m_order[i]] = static_cast<int>(i);
-    m_preconditioner.set_coarser(Vertex_interpolation(m_given_patch, to_coarser, rank, coarser.m_order),
+      rank[order[i]] = static_cast<int>(i);
+    m_preconditioner.set_coarser(Vertex_interpolation(m_patch.given(), to_coarser, rank, coarser.m_patch.order()),
                                  coarser.m_preconditioner);
   }
 
   /// indicates whether the faces and edges of the patch that was given are not needed any more: those of a large patch are
   /// kept in another order
-  bool has_own_faces() const { return m_division.is_divided(); }
+  bool has_own_faces() const { return m_patch.is_reordered(); }
 
   /// the patch as it was given
-  const Patch& patch() const { return m_given_patch; }
+  const Patch& patch() const { return m_patch.given(); }
 
   /// what takes the unit square to the rectangle of a map: see `scale_to_rectangle()`
-  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(in_order(uv)); }
+  Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(m_patch.in_order(uv)); }
 
   /// sweeps over a map until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
   /// cost, in vertices visited.
   /// \param most the largest number of sweeps
   long relax(Uv_coordinates& given_uv, int most = Minimizer_numbers::MAXIMUM_SWEEPS) const
   {
-    Uv_coordinates uv = in_order(std::move(given_uv));
-    const Free_coordinates is_free = free_coordinates(m_patch, uv, is_border_sliding());
+    Uv_coordinates uv = m_patch.in_order(std::move(given_uv));
+    const Free_coordinates is_free = free_coordinates(*m_patch, uv, is_border_sliding());
     double energy = m_energy(uv);
     int sweeps = 0;
     for(bool gains = true; gains && sweeps < most; ++sweeps) {
@@ -127,7 +106,7 @@ public:
       gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
       energy = reached;
     }
-    given_uv = in_given_order(std::move(uv));
+    given_uv = m_patch.in_given_order(std::move(uv));
     return static_cast<long>(sweeps) * given_uv.rows();
   }
 
@@ -143,19 +122,17 @@ public:
   ///      iterations and its history, too
   Minimized_map minimize(Minimized_map map, double tolerance, const Limits& limits, Workspace& workspace) const
   {
-    map.uv = in_order(std::move(map.uv));
-    const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
+    map.uv = m_patch.in_order(std::move(map.uv));
+    const Free_coordinates is_free = free_coordinates(*m_patch, map.uv, is_border_sliding());
     Minimization_report& report = map.report;
-    Secant_memory memory(Minimizer_numbers::SECANT_PAIRS);
-    report.objective = gradient_at(map.uv, is_free, workspace.gradient);
+    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, workspace);
+    report.objective = steps.look_at(map.uv);
     if(report.history.empty())
       report.history.push_back(report.objective);
     const unsigned int first_iteration = report.iterations;
-    unsigned int age = 0; // of the factors
-    long roundabouts = 0;
     while(true) {
       if(report.iterations >= limits.iterations ||
-         work_of(report.iterations - first_iteration, roundabouts) > limits.work) {
+         work_of(report.iterations - first_iteration, steps.roundabouts()) > limits.work) {
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
         break;
       }
@@ -163,11 +140,11 @@ public:
         report.stop_reason = Stop_reason::DEADLINE;
         break;
       }
-      if(age == 0 && !m_preconditioner.factorize(m_energy, map.uv, is_free, workspace.preconditioner)) {
+      if(!steps.refresh_factors(map.uv)) {
         report.stop_reason = Stop_reason::CANNOT_SOLVE;
         break;
       }
-      double slope = find_direction(memory, workspace);
+      const double slope = steps.find_direction();
       if(-slope / 2 <= tolerance * report.objective || gains_little(report.history, tolerance)) {
         report.stop_reason = Stop_reason::CONVERGED;
         break;
@@ -177,30 +154,19 @@ public:
         report.objective = (std::max)(report.objective + slope / 2, limits.energy);
         break;
       }
-      double feasible = largest_step(m_patch, map.uv, workspace.direction);
-      const int tries = go_round_blocked(is_free, age == 0, memory, map.uv, workspace, slope, feasible);
-      const bool goes_round = tries > 0;
-      roundabouts += tries;
-      if(!search_line(report.objective, slope, feasible, map.uv, workspace)) {
-        if(age == 0 && memory.is_empty()) {
-          report.stop_reason = Stop_reason::NO_LOWER_MAP;
-          break;
-        }
-        memory.clear();
-        age = 0;
-        continue;
+      if(steps.try_step(report.objective, slope, map.uv)) {
+        report.best_iteration = ++report.iterations;
+        report.objective = steps.take_step(report.iterations, map.uv);
+        report.history.push_back(report.objective);
+      } else if(!steps.start_afresh()) {
+        report.stop_reason = Stop_reason::NO_LOWER_MAP;
+        break;
       }
-      report.objective = step(is_free, memory, map.uv, workspace);
-      report.best_iteration = ++report.iterations;
-      report.history.push_back(report.objective);
-      age = goes_round ? 0 : (age + 1) % lifetime_of_factors(report.iterations);
-      if(goes_round)
-        memory.clear(); // of a step that was none of the whole mesh
     }
-    map.work += work_of(report.iterations - first_iteration, roundabouts);
+    map.work += work_of(report.iterations - first_iteration, steps.roundabouts());
     report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
-    map.uv = in_given_order(std::move(map.uv));
+    map.uv = m_patch.in_given_order(std::move(map.uv));
     return map;
   }
 
@@ -208,64 +174,36 @@ public:
   /// be the largest stretch of all
   void settle(Minimized_map& map) const
   {
-    map.uv = in_order(std::move(map.uv));
-    const Free_coordinates is_free = free_coordinates(m_patch, map.uv, is_border_sliding());
+    map.uv = m_patch.in_order(std::move(map.uv));
+    const Free_coordinates is_free = free_coordinates(*m_patch, map.uv, is_border_sliding());
     for(int i = 0; i < Minimizer_numbers::SETTLING_SWEEPS; ++i)
       m_sweep(is_free, m_energy.scale(map.uv), map.uv);
-    Uv_coordinates gradient;
-    map.report.objective = map.report.history.back() = gradient_at(map.uv, is_free, gradient);
-    map.report.gradient_norm = std::sqrt(dot(gradient, gradient));
+    Workspace workspace;
+    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, workspace);
+    map.report.objective = map.report.history.back() = steps.look_at(map.uv);
+    map.report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
-    map.uv = in_given_order(std::move(map.uv));
+    map.uv = m_patch.in_given_order(std::move(map.uv));
   }
 
 private:
-  /// a map of the patch that was given (#V by 2) as one of the ordered one
-  Uv_coordinates in_order(Uv_coordinates uv) const
-  {
-    if(!m_division.is_divided())
-      return uv;
-    Uv_coordinates result(uv.rows(), 2);
-    for(std::size_t i = 0; i < m_order.size(); ++i)
-      result.row(i) = uv.row(m_order[i]);
-    return result;
-  }
-
-  /// and back
-  Uv_coordinates in_given_order(Uv_coordinates uv) const
-  {
-    if(!m_division.is_divided())
-      return uv;
-    Uv_coordinates result(uv.rows(), 2);
-    for(std::size_t i = 0; i < m_order.size(); ++i)
-      result.row(m_order[i]) = uv.row(i);
-    return result;
-  }
-
   // what follows has the vertices of the ordered patch
 
   /// on the rectangle of the energy
   void measure_stretch(Minimized_map& map) const
   {
     map.aspect = m_energy.aspect(map.uv);
-    map.report.l2 = std::sqrt(stretch_energy(m_patch, on_rectangle(map.uv, map.aspect)));
+    map.report.l2 = std::sqrt(stretch_energy(*m_patch, on_rectangle(map.uv, map.aspect)));
   }
 
   /// what steps and directions round triangles cost, in vertices visited
   long work_of(long steps, long roundabouts) const
   {
     return (Minimizer_numbers::STEP_WORK * steps + Minimizer_numbers::ROUNDABOUT_WORK * roundabouts) *
-           m_patch.number_of_vertices();
+           m_patch->number_of_vertices();
   }
 
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
-
-  /// far from the minimum the Hessian changes more from step to step
-  static unsigned int lifetime_of_factors(unsigned int iterations)
-  {
-    return iterations <= Minimizer_numbers::EARLY_STEPS ? Minimizer_numbers::EARLY_LIFETIME
-                                                        : Minimizer_numbers::LATE_LIFETIME;
-  }
 
   static bool gains_little(const std::vector<double>& history, double tolerance)
   {
@@ -284,108 +222,7 @@ private:
     return history.back() - (std::max)(Minimizer_numbers::MOST_PROMISES * -slope / 2, last_gain) > limit;
   }
 
-  double gradient_at(const Uv_coordinates& uv, const Free_coordinates& is_free, Uv_coordinates& gradient) const
-  {
-    const double energy = m_energy.gradient(uv, gradient);
-    set_rows(gradient, uv.rows(), [&](const auto& rows) { return rows(is_free).select(rows(gradient), 0.); });
-    return energy;
-  }
-
-  /// sets the direction of descent and returns the slope along it; forgets the memory when that leads upwards
-  double find_direction(Secant_memory& memory, Workspace& workspace) const
-  {
-    const auto precondition = [&](Uv_coordinates& x) { m_preconditioner.apply(workspace.preconditioner, x); };
-    const auto descend_steepest = [&workspace] {
-      set_rows(workspace.direction, workspace.gradient.rows(),
-               [&](const auto& rows) { return -rows(workspace.gradient); });
-    };
-    descend_steepest();
-    memory.apply(precondition, workspace.direction);
-    double slope = dot(workspace.gradient, workspace.direction);
-    if(!(slope < 0) && !memory.is_empty()) {
-      memory.clear();
-      descend_steepest();
-      precondition(workspace.direction);
-      slope = dot(workspace.gradient, workspace.direction);
-    }
-    return slope;
-  }
-
-  /// turns to another direction where triangles that lose their area on a small part of the way would keep the step
-  /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Returns the
-  /// number of directions that were tried; if there are any, the factors are of the last one alone.
-  /// \param are_factors_new tells whether the factors are those at \p uv
-  /// \param feasible the largest step in the direction
-  int go_round_blocked(const Free_coordinates& is_free, bool are_factors_new, Secant_memory& memory,
-                       const Uv_coordinates& uv, Workspace& workspace, double& slope, double& feasible) const
-  {
-    Free_coordinates moves = is_free;
-    int tries = 0;
-    while(tries < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible)) {
-      ++tries;
-      fix_blocked(uv, workspace.direction, moves);
-      memory.clear();
-      // at the same map the matrices only lose rows
-      if(!(are_factors_new ? m_preconditioner.factorize_fewer(moves, workspace.preconditioner)
-                           : m_preconditioner.factorize(m_energy, uv, moves, workspace.preconditioner)))
-        break;
-      are_factors_new = true;
-      workspace.direction = moves.select(-workspace.gradient, 0.);
-      m_preconditioner.apply(workspace.preconditioner, workspace.direction);
-      slope = dot(workspace.gradient, workspace.direction);
-      feasible = largest_step(m_patch, uv, workspace.direction);
-    }
-    return tries;
-  }
-
-  static bool is_blocked(double feasible)
-  {
-    return Minimizer_numbers::STEP_SAFETY * feasible < Minimizer_numbers::BLOCKED_STEP;
-  }
-
-  /// lets the vertices of triangles that stand in the way stay
-  void fix_blocked(const Uv_coordinates& uv, const Uv_coordinates& direction, Free_coordinates& moves) const
-  {
-    for(const auto& t : m_patch.triangles)
-      if(is_blocked(largest_step(t, uv, direction, Minimizer_numbers::BLOCKED_STEP / Minimizer_numbers::STEP_SAFETY)))
-        for(int v : t)
-          moves(v, 0) = moves(v, 1) = false;
-  }
-
-  /// sets the trial to a map of lower energy on the line from \p uv; false when there is none
-  /// \param feasible the largest step in the direction
-  bool search_line(double energy, double slope, double feasible, const Uv_coordinates& uv, Workspace& workspace) const
-  {
-    double length = (std::min)(1., Minimizer_numbers::STEP_SAFETY * feasible);
-    for(int i = 0; i < Minimizer_numbers::MAXIMUM_STEP_HALVINGS; ++i, length /= 2) {
-      set_rows(workspace.trial, uv.rows(),
-               [&](const auto& rows) { return rows(uv) + length * rows(workspace.direction); });
-      if(m_energy(workspace.trial) <= energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope)
-        return true;
-    }
-    return false;
-  }
-
-  /// sweeps over the trial, makes it the map, remembers the step, and returns the energy
-  double step(const Free_coordinates& is_free, Secant_memory& memory, Uv_coordinates& uv, Workspace& workspace) const
-  {
-    m_sweep(is_free, m_energy.scale(workspace.trial), workspace.trial);
-    workspace.previous_gradient.swap(workspace.gradient);
-    const double energy = gradient_at(workspace.trial, is_free, workspace.gradient);
-    uv.swap(workspace.trial);
-    Uv_coordinates &change = workspace.trial, &gradient_change = workspace.previous_gradient; // in place
-    set_rows(change, uv.rows(), [&](const auto& rows) { return rows(uv) - rows(change); });
-    set_rows(gradient_change, uv.rows(),
-             [&](const auto& rows) { return rows(workspace.gradient) - rows(gradient_change); });
-    memory.add(change, gradient_change);
-    return energy;
-  }
-
-  const Patch& m_given_patch;
-  Patch m_ordered_patch;    // of a large patch
-  const Patch& m_patch;     // that, or the given one
-  std::vector<int> m_order; // per vertex of this, the one of the given patch
-  Patch_division m_division;
+  Ordered_patch m_patch;
   Balanced_energy m_energy;
   Multigrid_preconditioner m_preconditioner;
   Vertex_sweep m_sweep;

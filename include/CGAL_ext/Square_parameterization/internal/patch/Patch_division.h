@@ -83,7 +83,7 @@ public:
   /// the vertices by their ranks
   const std::vector<int>& order() const { return m_order; }
 
-  /// this division, of the patch that `in_order_of()` makes: there ranks are vertices, and the triangles of a block, and
+  /// this division, of the patch that `Ordered_patch` makes: there ranks are vertices, and the triangles of a block, and
   /// those with separators, follow each other
   Patch_division in_order() const
   {
@@ -203,38 +203,6 @@ private:
   std::vector<int> m_first_triangle; // #blocks + 1
   std::vector<int> m_joints;         // the others
 };
-
-/// a patch with its vertices in the order of their ranks, and its triangles block by block, where those that follow each
-/// other in the list are neighbors on the surface. It has what minimizers need: no chords, no areas of vertices.
-inline Patch in_order_of(const Patch_division& division, const Patch& patch)
-{
-  Patch result;
-  result.points.reserve(patch.points.size());
-  for(int v : division.order())
-    result.points.push_back(patch.points[v]);
-  const auto add_triangle = [&](int f) {
-    const auto& [a, b, c] = patch.triangles[f];
-    result.triangles.push_back({division.rank(a), division.rank(b), division.rank(c)});
-    result.shapes.push_back(patch.shapes[f]);
-  };
-  result.triangles.reserve(patch.triangles.size());
-  result.shapes.reserve(patch.triangles.size());
-  for(int b = 0; b < division.number_of_blocks(); ++b)
-    division.for_triangles_of_block(b, add_triangle);
-  for(int f : division.joints())
-    add_triangle(f);
-  for(int v : patch.border)
-    result.border.push_back(division.rank(v));
-  result.edges.reserve(patch.edges.size());
-  for(const auto& [a, b] : patch.edges) {
-    const int i = division.rank(a), j = division.rank(b);
-    result.edges.push_back({(std::min)(i, j), (std::max)(i, j)});
-  }
-  result.border_lengths = patch.border_lengths;
-  result.least_height = patch.least_height;
-  result.rounding = patch.rounding;
-  return result;
-}
 
 /// computes something of each triangle of a divided patch and adds it up at the vertices, on the threads of the current
 /// team: `add(f, value, sum)` is called for triangles of different blocks at a time, and in a fixed order for the

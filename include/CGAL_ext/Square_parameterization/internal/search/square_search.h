@@ -8,17 +8,10 @@
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Search_outcome.h>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// the delivered map and the search that found it
-struct Search_outcome
-{
-  Minimized_map map;
-  Search_report report;
-  bool heeds_work = false; ///< the strategy was told what maps cost, and may have ended early for that
-};
 
 /// refuses a strategy of which a number is out of its range
 inline void check_corner_search(const Corner_search& search)

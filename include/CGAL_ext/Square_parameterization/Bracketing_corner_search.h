@@ -27,7 +27,8 @@ namespace CGAL_ext {
 /// sketch, which is the only one that is mapped.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
-/// the maps and sketches have cost as much as those of fifty candidates of an even surface.
+/// the maps and sketches have cost as much as those of fifty candidates of an even surface. On a mesh of 2500 vertices and
+/// more the first candidate is the only one when its map costs as much as those of nineteen.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
 /// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the

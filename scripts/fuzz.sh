@@ -48,5 +48,5 @@ cd ../thread_sanitizer
 "${fixed[@]}" bin/flat_core_tests "*team*,*thread*"
 "${fixed[@]}" bin/search_tests
 "${fixed[@]}" bin/random_surfaces --seed "$seed" --seconds "$seconds" --threads 4 --faces 100
-# a signal may end the process when threads have ended that were about to be joined: that is no leak
+# two signals at once end the process with threads that nobody has joined: that is no leak
 TSAN_OPTIONS=report_thread_leaks=0 "${fixed[@]}" "$fuzz_command" bin/square_map "${disturbances[@]}"

@@ -29,8 +29,9 @@ public:
     : m_patch(patch), m_star(balance, to_rectangle), m_uv(uv)
   {}
 
-  /// puts an interior vertex into the middle of its ring, or into the kernel of the ring, and then where the energy is
-  /// low. Returns false when the kernel is lost in rounding.
+  /// puts an interior vertex into the middle of its ring, to its mean value coordinates where these are far better, as
+  /// among slivers, or into the kernel of the ring, and then where the energy is low. Returns false when the kernel is
+  /// lost in rounding.
   bool insert_inside(int vertex, const Vertex_ring& ring)
   {
     std::vector<Eigen::RowVector2d> ring_uv;
@@ -41,6 +42,10 @@ public:
       ring_uv.push_back(m_uv.row(ring[i]));
       position += m_uv.row(ring[i]) / ring.size();
     }
+    constexpr double FAR_BETTER = 0.5;
+    const Eigen::RowVector2d by_mean_values = mean_value_position(vertex, ring);
+    if(m_star.energy(by_mean_values) < FAR_BETTER * m_star.energy(position))
+      position = by_mean_values;
     if(!std::isfinite(m_star.energy(position))) {
       const std::optional<Eigen::RowVector2d> seeing = point_in_kernel(ring_uv);
       if(!seeing || !std::isfinite(m_star.energy(*seeing)))
@@ -76,6 +81,28 @@ public:
   }
 
 private:
+  /// where the mean value coordinates of the vertex in its ring on the surface take it (Floater 2003); not finite at a
+  /// ring that is degenerate
+  Eigen::RowVector2d mean_value_position(int vertex, const Vertex_ring& ring) const
+  {
+    const auto to_ring = [&](std::size_t i) -> Eigen::Vector3d {
+      return m_patch.points[ring[i % ring.size()]] - m_patch.points[vertex];
+    };
+    const auto half_tangent = [&](std::size_t i) { // of the angle between ring vertices i and i + 1
+      const Eigen::Vector3d a = to_ring(i), b = to_ring(i + 1);
+      return a.cross(b).norm() / (a.norm() * b.norm() + a.dot(b));
+    };
+    Eigen::RowVector2d sum(0, 0);
+    double weights = 0, before = half_tangent(ring.size() - 1);
+    for(std::size_t i = 0; i < ring.size(); ++i) {
+      const double after = half_tangent(i), weight = (before + after) / to_ring(i).norm();
+      sum += weight * m_uv.row(ring[i]);
+      weights += weight;
+      before = after;
+    }
+    return sum / weights;
+  }
+
   void add_triangle(int vertex, int a, int b)
   {
     const Flat_triangle shape = shape_between(m_patch, vertex, a, b);

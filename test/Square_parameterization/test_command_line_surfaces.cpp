@@ -258,3 +258,15 @@ TEST_CASE("a torus with a hole cannot be mapped uncut")
   soup.faces.erase(soup.faces.begin(), soup.faces.begin() + 2);
   check_refusal_of_soup(soup, UNMAPPABLE, "genus", {"--cut", "none"});
 }
+
+TEST_CASE("a flat square of 5000 strips is mapped all but without stretch, as it is flat")
+{
+  const int strips = 5000;
+  Soup soup;
+  for(int i = 0; i <= strips; ++i)
+    for(double y : {0., 1.})
+      soup.points.push_back({double(i) / strips, y, 0});
+  for(int a = 0; a < 2 * strips; a += 2)
+    soup.faces.insert(soup.faces.end(), {{a, a + 2, a + 3}, {a, a + 3, a + 1}});
+  CHECK(check_map(soup).report["best"]["l2"] < 1.2);
+}

@@ -3,16 +3,13 @@
 
 #include "multilevel_cases.h"
 
-#include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <catch2/catch.hpp>
 
-#include <array>
 #include <set>
-#include <vector>
 
 using namespace CGAL_ext;
 using namespace CGAL_ext::internal;
@@ -27,21 +24,6 @@ std::vector<Patch> large_patches()
 }
 
 } // namespace
-
-TEST_CASE("a vertex among flat slivers is put back where it was, and not into the middle of its ring")
-{
-  Patch flat; // slivers to the right of the vertex, and large triangles to the left
-  const std::vector<std::array<double, 2>> places{{0, 0}, {1e-4, -0.5}, {1e-4, 0.5}, {-1, 0.5}, {-1, -0.5}};
-  for(const auto& [x, y] : places)
-    flat.points.emplace_back(x, y, 0.);
-  Uv_coordinates uv(5, 2);
-  for(int v = 1; v < 5; ++v)
-    uv.row(v) = flat.points[v].head<2>();
-  Vertex_insertion insertion(flat, 0.3, {1, 1}, uv);
-  const std::vector<int> ring{1, 2, 3, 4};
-  REQUIRE(insertion.insert_inside(0, Vertex_ring{ring}));
-  CHECK(uv.row(0).norm() < 1e-9);
-}
 
 TEST_CASE("a coarse patch is a disk with the same border, and its vertices are among the fine ones")
 {

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_INSERT_VERTICES_H
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/mean_value_weights_in_ring.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Vertex_star.h>
@@ -43,10 +44,13 @@ public:
       position += m_uv.row(ring[i]) / ring.size();
     }
     constexpr double FAR_BETTER = 0.5;
+    double energy = m_star.energy(position);
     const Eigen::RowVector2d by_mean_values = mean_value_position(vertex, ring);
-    if(m_star.energy(by_mean_values) < FAR_BETTER * m_star.energy(position))
+    if(const double mean_value_energy = m_star.energy(by_mean_values); mean_value_energy < FAR_BETTER * energy) {
       position = by_mean_values;
-    if(!std::isfinite(m_star.energy(position))) {
+      energy = mean_value_energy;
+    }
+    if(!std::isfinite(energy)) {
       const std::optional<Eigen::RowVector2d> seeing = point_in_kernel(ring_uv);
       if(!seeing || !std::isfinite(m_star.energy(*seeing)))
         return false;
@@ -81,26 +85,17 @@ public:
   }
 
 private:
-  /// where the mean value coordinates of the vertex in its ring on the surface take it (Floater 2003); not finite at a
-  /// ring that is degenerate
+  /// where the mean value coordinates of the vertex take it; not finite at a degenerate ring
   Eigen::RowVector2d mean_value_position(int vertex, const Vertex_ring& ring) const
   {
-    const auto to_ring = [&](std::size_t i) -> Eigen::Vector3d {
-      return m_patch.points[ring[i % ring.size()]] - m_patch.points[vertex];
-    };
-    const auto half_tangent = [&](std::size_t i) { // of the angle between ring vertices i and i + 1
-      const Eigen::Vector3d a = to_ring(i), b = to_ring(i + 1);
-      return a.cross(b).norm() / (a.norm() * b.norm() + a.dot(b));
-    };
-    Eigen::RowVector2d sum(0, 0);
-    double weights = 0, before = half_tangent(ring.size() - 1);
+    const std::vector<double> weights = mean_value_weights_in_ring(m_patch.points, vertex, ring);
+    Eigen::RowVector2d position(0, 0);
+    double sum = 0;
     for(std::size_t i = 0; i < ring.size(); ++i) {
-      const double after = half_tangent(i), weight = (before + after) / to_ring(i).norm();
-      sum += weight * m_uv.row(ring[i]);
-      weights += weight;
-      before = after;
+      position += weights[i] * m_uv.row(ring[i]);
+      sum += weights[i];
     }
-    return sum / weights;
+    return position / sum;
   }
 
   void add_triangle(int vertex, int a, int b)

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_INTERPOLATION_H
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/mean_value_weights_in_ring.h>
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 
 #include <cmath>
@@ -72,24 +73,22 @@ public:
   }
 
 private:
+  /// by length, of its neighbors on the border alone
+  static std::vector<double> weights_on_border(const Patch& fine, int vertex, const Vertex_ring& ring)
+  {
+    std::vector<double> weights(ring.size(), 0.);
+    weights.front() = (fine.points[ring.back()] - fine.points[vertex]).norm();
+    weights.back() = (fine.points[ring.front()] - fine.points[vertex]).norm();
+    return weights;
+  }
+
   void add_weights(const Patch& fine, const Coarse_patch& coarse, const Coarse_patch::Removal& removal,
                    const std::vector<int>& rank)
   {
-    const Eigen::Vector3d& center = fine.points[removal.vertex];
     const Vertex_ring ring = coarse.ring(removal);
-    std::vector<double> weights(ring.size(), 0.);
-    const auto distance = [&](std::size_t i) { return (fine.points[ring[i]] - center).norm(); };
-    if(removal.is_on_border()) {
-      weights.front() = distance(ring.size() - 1);
-      weights.back() = distance(0);
-    } else
-      for(std::size_t i = 0; i < ring.size(); ++i) {
-        const std::size_t next = (i + 1) % ring.size();
-        const Eigen::Vector3d a = fine.points[ring[i]] - center, b = fine.points[ring[next]] - center;
-        const double half_tangent = a.cross(b).norm() / (a.norm() * b.norm() + a.dot(b));
-        weights[i] += half_tangent / a.norm();
-        weights[next] += half_tangent / b.norm();
-      }
+    const std::vector<double> weights = removal.is_on_border()
+                                            ? weights_on_border(fine, removal.vertex, ring)
+                                            : mean_value_weights_in_ring(fine.points, removal.vertex, ring);
     double sum = 0;
     for(double weight : weights)
       sum += weight;

@@ -56,7 +56,8 @@ struct Corner_search_problem
 
   /// what all maps and sketches so far have cost, in sweeps over the mesh: an even surface takes about twenty for an
   /// evaluation, one that is stretched tens of times hundreds. It does not depend on the number of threads nor on the speed
-  /// of the machine. Empty when the minimizer does not tell, and when a search is repeated that found no map for the work.
+  /// of the machine; less is told of a search that is repeated since it found no map. Empty when the minimizer does not
+  /// tell.
   std::function<double()> work;
 
   int number_of_vertices = 1; ///< of the mesh that is mapped

@@ -176,6 +176,13 @@ struct Minimizer_numbers
   /// a map is stretched tens of times, and hardly changes the map of the finer patch.
   static constexpr unsigned int COARSE_ITERATIONS = 60;
 
+  /// the same on a coarse patch that has hardly more vertices than the one before it, which was minimised: less than
+  /// `SMALL_REFINEMENT` times as many, where that is not the coarsest and has `LEAST_REFINED` or more. More: surfaces
+  /// with ears and spikes, of which many such patches are made, take seconds; fewer: their maps are stretched more.
+  static constexpr unsigned int ITERATIONS_OF_SMALL_REFINEMENT = 10;
+  static constexpr double SMALL_REFINEMENT = 1.2;
+  static constexpr int LEAST_REFINED = 1000;
+
   /// steps on the mesh itself at most while candidates for the corners are compared: a bound on the time. Fewer: maps
   /// stretched tens of times are compared before they are comparable.
   static constexpr unsigned int SEARCH_ITERATIONS = 60;

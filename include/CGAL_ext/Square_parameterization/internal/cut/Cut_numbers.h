@@ -127,7 +127,7 @@ struct Cut_numbers
 
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
   /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
-  long decision_work_per_vertex = 150;
+  long decision_work_per_vertex = 60;
 
   /// times the work above, while no cut that was met has a map. Fewer: some surfaces of which hardly any cut has one have
   /// no map in the end; more: seconds of search in vain.
@@ -167,6 +167,10 @@ struct Cut_numbers
 
   /// vertices mapped to refine a cut, at most: fifteen cuts of 4000 faces
   long refinement_work = 30000;
+
+  /// L2 stretch that a cut leaves, at most, for it to be refined. More: a third of a second in vain, where nothing but
+  /// another cut would help.
+  double largest_refined_stretch = 1000;
 
   // --- carrying a cut over to a finer surface ---
 

@@ -69,8 +69,8 @@ public:
         m_workspace.levels[level + 1].preconditioner.factors.reset();
       const Balanced_minimizer& minimizer = m_levels.minimizer(level);
       m_work += minimizer.relax(uv);
-      Minimized_map map =
-          minimizer.minimize({std::move(uv), {}, {}}, Minimizer_numbers::COARSE_TOLERANCE, m_workspace.levels[level]);
+      Minimized_map map = minimizer.minimize({std::move(uv), {}, {}}, Minimizer_numbers::COARSE_TOLERANCE,
+                                             {most_iterations(level)}, m_workspace.levels[level]);
       m_workspace.levels[level].end_steps();
       m_work += map.work;
       const bool is_early =
@@ -93,6 +93,20 @@ private:
     Uv_coordinates uv;
     double energy;
   };
+
+  /// of the patch of one level
+  unsigned int most_iterations(std::size_t level) const
+  {
+    const Patch_sequence& patches = m_levels.patches();
+    if(level + 1 == patches.size())
+      return Minimizer_numbers::COARSE_ITERATIONS;
+    const int coarser = patches[level + 1].number_of_vertices();
+    const bool is_small_refinement =
+        coarser >= Minimizer_numbers::LEAST_REFINED &&
+        patches[level].number_of_vertices() < Minimizer_numbers::SMALL_REFINEMENT * coarser;
+    return is_small_refinement ? Minimizer_numbers::ITERATIONS_OF_SMALL_REFINEMENT
+                               : Minimizer_numbers::COARSE_ITERATIONS;
+  }
 
   /// goes on from the maps that were given up, the best first, until one arrives
   Uv_coordinates resume(std::size_t to)

@@ -17,6 +17,7 @@
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
 #include <CGAL_ext/Square_parameterization/internal/sampling/align_seams.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
 
@@ -123,6 +124,11 @@ inline Search_outcome map_from_start(const Patch& patch, const Map_minimizer& mi
                  : search_corners(patch, minimizer, settings.search, settings.search_options);
 }
 
+inline bool has_map(const Search_outcome& outcome)
+{
+  return outcome.map.uv.rows() > 0;
+}
+
 /// indicates whether the search has found no map, or one that must be the fault of its start
 /// \param least energy of such a map
 inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_numbers::HOPELESS_RESULT)
@@ -130,34 +136,46 @@ inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_
   return !(outcome.map.report.objective < least);
 }
 
-/// what other starts lead to
-struct Other_outcome
+/// tries the other starts, of which no more as soon as one is not hopeless, or there is a map and they have cost too much;
+/// `finish_map()` is to follow
+/// \param best the outcome of the first start; it becomes the best of all, with the work of all
+/// \return where the best began
+inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
+                                  const Square_map_settings& settings, Search_outcome& best)
 {
-  Search_outcome outcome = {};
   Map_start start = Map_start::AS_CHOSEN;
-};
-
-/// the best outcome of the other starts, of which no more are tried as soon as one is not hopeless; `finish_map()` is to
-/// follow
-inline Other_outcome best_of_other_starts(const Patch& patch, const std::optional<Corners>& corners,
-                                          const Square_map_settings& settings)
-{
-  Other_outcome best;
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
   if(balanced == nullptr)
-    return best;
+    return start;
   const Deadline& deadline = settings.search_options.deadline;
+  const double most_work = most_work_of_starts(patch.number_of_vertices());
+  double work = best.work;
   bool is_cancelled = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
-    if(!is_hopeless(best.outcome) || is_cancelled || has_passed(deadline))
+    const bool is_enough = has_map(best) && work > most_work;
+    if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;
-    if(next.map.report.objective < best.outcome.map.report.objective)
-      best = {std::move(next), other.start};
+    work += next.work;
+    if(next.map.report.objective < best.map.report.objective) {
+      best = std::move(next);
+      start = other.start;
+    }
   }
-  best.outcome.report.is_cancelled = is_cancelled || has_passed(deadline);
-  return best;
+  best.report.is_cancelled = is_cancelled || has_passed(deadline);
+  best.work = work;
+  return start;
+}
+
+/// a longer search from the first start, for as long as there is work left, when no start has led to a map
+inline void search_longer(const Patch& patch, const Map_minimizer& minimizer, const Square_map_settings& settings,
+                          Search_outcome& outcome)
+{
+  const double work_left = 2 * most_work_of_starts(patch.number_of_vertices()) - outcome.work;
+  const double patience = work_left / (MOST_SEARCH_WORK * patch.number_of_vertices());
+  if(!has_map(outcome) && outcome.heeds_work && !outcome.report.is_cancelled && patience > 1)
+    outcome = search_corners(patch, minimizer, settings.search, settings.search_options, patience);
 }
 
 /// maps the patch with the given corners, or with those of a search, from the first start that leads to a good map, which
@@ -172,14 +190,9 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   if(is_finished)
     finish_map(minimizer, visitor, outcome);
   if(settings.tries_other_starts && is_hopeless(outcome) && !outcome.report.is_cancelled) {
-    Other_outcome other = best_of_other_starts(patch, corners, settings);
-    outcome.report.is_cancelled = other.outcome.report.is_cancelled;
-    if(other.outcome.map.report.objective < outcome.map.report.objective) {
-      outcome = std::move(other.outcome);
-      report.start = other.start;
-      is_finished = false;
-    } else if(outcome.map.uv.rows() == 0 && outcome.heeds_work && !outcome.report.is_cancelled)
-      outcome = search_corners(patch, minimizer, settings.search, settings.search_options, false); // the last resort
+    report.start = try_other_starts(patch, corners, settings, outcome);
+    is_finished = is_finished && report.start == Map_start::AS_CHOSEN;
+    search_longer(patch, minimizer, settings, outcome);
   }
   if(!is_finished)
     finish_map(minimizer, visitor, outcome);
@@ -187,7 +200,7 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   report.minimization = outcome.map.report;
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(outcome.map.report);
-  if(outcome.map.uv.rows() == 0)
+  if(!has_map(outcome))
     refuse_without_map(outcome.report);
   return outcome;
 }

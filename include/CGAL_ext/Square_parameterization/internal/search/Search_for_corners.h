@@ -47,12 +47,12 @@ class Search_for_corners
 {
 public:
   Search_for_corners(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
-                     const Square_search_options& options, bool tells_work)
+                     const Square_search_options& options, double patience)
     : m_patch(patch),
       m_minimizer(minimizer),
       m_search(search),
       m_options(options),
-      m_tells_work(tells_work),
+      m_patience(patience),
       m_walk(patch.border_lengths, options.walk),
       m_number_of_candidates(search.candidate_set() == Candidate_set::FULL ? m_walk.size()
                                                                            : number_of_quarter_candidates(m_walk)),
@@ -218,11 +218,10 @@ private:
         m_settled_for = candidate;
       };
     }
-    if(m_tells_work)
-      problem.work = [this] {
-        m_heeds_work = true;
-        return work(MOST_VERTICES_OF_MAP);
-      };
+    problem.work = [this] {
+      m_heeds_work = true;
+      return work(MOST_VERTICES_OF_MAP) / m_patience;
+    };
     problem.circle_stretch = [this] { return m_minimizer.circle_stretch(); };
     problem.corner_distances = [this](int candidate) { return corner_distances(border_of(candidate).uv); };
     return problem;
@@ -238,7 +237,8 @@ private:
   /// the best map so far, and how it was found
   Search_outcome best() const
   {
-    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report(), m_heeds_work};
+    const double work = double(m_evaluation.work()) + (m_sketches ? double(m_sketches->work()) : 0);
+    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report(), work, m_heeds_work};
     Search_report& report = outcome.report;
     if(m_settled_for && !report.best_candidate && has_map())
       report.best_candidate = m_settled_for;
@@ -265,7 +265,7 @@ private:
   const Map_minimizer& m_minimizer;
   const Corner_search& m_search;
   const Square_search_options& m_options;
-  const bool m_tells_work;
+  const double m_patience;
   bool m_heeds_work = false;
   const Deadline m_sketch_deadline = part_way_to(m_options.deadline, 0.5);
   const Border_walk m_walk;

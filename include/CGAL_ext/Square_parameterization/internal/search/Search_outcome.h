@@ -15,6 +15,7 @@ struct Search_outcome
 {
   Minimized_map map;
   Search_report report;
+  double work = 0;         ///< of maps and sketches for its candidates, in vertices visited
   bool heeds_work = false; ///< the strategy was told what maps cost, and may have ended early for that
 };
 

@@ -30,6 +30,14 @@ constexpr int MOST_VERTICES_OF_SKETCH = 5000;
 /// the same where maps are counted for a search: of larger meshes that have no sketches fewer slow maps are made
 constexpr int MOST_VERTICES_OF_MAP = 10000;
 
+/// what the searches from all starts may cost together, in vertices visited, until no more starts are tried for a better
+/// map: half a second, and what a search may. While there is none, all are tried, and the last resort, a longer search
+/// from the first of them, may cost what is left of twice as much.
+inline double most_work_of_starts(int number_of_vertices)
+{
+  return 8e6 + MOST_SEARCH_WORK * number_of_vertices;
+}
+
 /// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
 /// than half of a search, a third of a second. A rectangle is sought from several places, with all moves.
 inline double most_moving_work(bool is_square)

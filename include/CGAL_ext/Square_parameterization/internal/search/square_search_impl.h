@@ -17,10 +17,10 @@ namespace internal {
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_corners(const Patch& patch, const Map_minimizer& minimizer,
                                                        const Corner_search& search,
-                                                       const Square_search_options& options, bool tells_work)
+                                                       const Square_search_options& options, double patience)
 {
   check_corner_search(search);
-  return Search_for_corners(patch, minimizer, search, options, tells_work)();
+  return Search_for_corners(patch, minimizer, search, options, patience)();
 }
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer,
@@ -50,6 +50,7 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome map_with_corners(const Patch& patch, con
 {
   const Square_border border = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners);
   Search_outcome outcome{minimizer.make_worker()(border.uv, nullptr), {}};
+  outcome.work = double(outcome.map.work);
   outcome.report.is_cancelled = outcome.map.report.stop_reason == Stop_reason::DEADLINE;
   outcome.report.candidates = 1;
   outcome.report.evaluations = 1;

@@ -80,6 +80,8 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"circle_iterations", &Cut_numbers::circle_iterations, 1, 20},
                                         {"growth_work", &Cut_numbers::growth_work, 50000, 450000},
                                         {"growth_work_per_vertex", &Cut_numbers::growth_work_per_vertex, 100, 300},
+                                        {"decision_work_per_vertex", &Cut_numbers::decision_work_per_vertex, 20, 150},
+                                        {"times_work_without_map", &Cut_numbers::times_work_without_map, 1, 20},
                                         {"little_growth_work", &Cut_numbers::little_growth_work, 10000, 100000},
                                         {"many_loops", &Cut_numbers::many_loops, 2, 1000},
                                         {"move_rounds", &Cut_numbers::move_rounds, 0, 4},
@@ -89,6 +91,7 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"first_step", &Cut_numbers::first_step, 0.06, 0.24},
                                         {"last_step", &Cut_numbers::last_step, 0.015, 0.06},
                                         {"refinement_work", &Cut_numbers::refinement_work, 0, 120000},
+                                        {"largest_refined_stretch", &Cut_numbers::largest_refined_stretch, 1, 1e6},
                                         {"lift_samples", &Cut_numbers::lift_samples, 1, 32},
                                         {"lift_band", &Cut_numbers::lift_band, 0.5, 8}};
 

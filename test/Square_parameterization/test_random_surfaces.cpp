@@ -8,7 +8,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 // What the fuzzer of maps does, for a fixed sequence of random meshes, and for those that once found a bug.
 
@@ -78,6 +81,55 @@ TEST_CASE("surfaces with nails, handles, spikes, snapped coordinates and the lik
     ++outcomes[outcome];
   }
   CHECK(outcomes[Outcome::ONE_TO_ONE] >= 30);
+}
+
+namespace {
+
+/// the usual search, which notes the work for the first candidate each time it is asked
+struct Noting_search
+{
+  CGAL_ext::Candidate_set candidate_set() const { return CGAL_ext::Bracketing_corner_search().candidate_set(); }
+
+  void operator()(const CGAL_ext::Corner_search_problem& problem) const
+  {
+    problem.objective_of({0});
+    works.push_back(problem.work());
+    CGAL_ext::Bracketing_corner_search()(problem);
+  }
+
+  std::vector<double>& works;
+};
+
+/// maps one of the surfaces of up to 2000 faces that took longest, with default settings
+/// \return the work for the first candidate, in sweeps over the mesh, of each search
+std::pair<std::vector<double>, Mapped_soup> map_costly_surface(unsigned int seed)
+{
+  std::vector<std::uint8_t> bytes{11, 0, 64};
+  Byte_source source(bytes.data(), bytes.size());
+  Choices_of_bytes choices(source);
+  choices.conditioning_options.component = 0;
+  std::vector<double> works;
+  choices.options.search = Noting_search{works};
+  Mapped_soup mapped = map_soup(Random_surface(seed, 2000).soup(), choices);
+  return {works, mapped};
+}
+
+} // namespace
+
+TEST_CASE("a spiral with ears is refused after one costly candidate from each start, and those of bounded work")
+{
+  const auto [works, mapped] = map_costly_surface(7000152);
+  CHECK(mapped.outcome == Outcome::UNMAPPED);
+  CHECK(works.size() == 5);
+  CHECK(mapped.message == "none of 1 evaluated candidate has a one-to-one map"); // not 21 in a last resort
+  CHECK(*std::max_element(works.begin(), works.end()) < 2500); // once 3400 to 6000, by small steps of coarsening
+}
+
+TEST_CASE("where maps cost much, and are stretched thousands of times, not all starts are tried")
+{
+  const auto [works, mapped] = map_costly_surface(7000476);
+  CHECK(mapped.outcome == Outcome::ONE_TO_ONE);
+  CHECK(works.size() == 3); // of six
 }
 
 TEST_CASE("many random surfaces are mapped one-to-one or refused", "[.long]")

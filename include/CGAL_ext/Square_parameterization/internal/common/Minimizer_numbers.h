@@ -188,9 +188,10 @@ struct Minimizer_numbers
   static constexpr unsigned int SEARCH_ITERATIONS = 60;
 
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
-  /// fewer than `LARGEST_FACTORED` vertices counts as if it had as many: about a second. Less: maps stretched tens of times
-  /// are left before they are near their minimum.
+  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many: half a second. Less: maps stretched tens of times are
+  /// left before they are near their minimum.
   static constexpr long MOST_FINAL_SWEEPS = 1000;
+  static constexpr int LEAST_FINAL_VERTICES = 10000;
 
   /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
   static constexpr int LARGEST_WARM_START = 1000;

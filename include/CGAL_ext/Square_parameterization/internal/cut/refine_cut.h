@@ -18,14 +18,14 @@ namespace CGAL_ext {
 namespace internal {
 
 /// lets each terminal of the cut go, or give way to one at a distance, where that lowers the score; false when it never
-/// does. Ends early when the scores of the pool, with one more, cost more than \p work, or its deadline has passed.
+/// does. Ends early when the scores of the pool have cost \p work, or its deadline has passed.
 inline bool improve_cut(Cut_pool& pool, double weight, double distance, long work, Scored_cut& best,
                         Cut_history& history)
 {
   const Triangle_surface& surface = pool.surface();
   bool is_improved = false;
   for(int terminal : std::vector<int>(best.cut.terminals())) {
-    if(pool.is_exhausted(work, pool.work_per_score()))
+    if(pool.is_exhausted(work))
       break;
     std::vector<Scored_cut> cuts;
     if(may_be_freed(surface, best.cut))
@@ -49,12 +49,12 @@ inline bool improve_cut(Cut_pool& pool, double weight, double distance, long wor
 }
 
 /// moves, or drops, terminals of a cut as long as that lowers its score: first by large steps, then by smaller ones. A cut
-/// that leaves too much stretch stays as it is.
+/// stays as it is where one leaves too much stretch, or one score costs too much.
 inline void refine_cut(Cut_pool& pool, double weight, Scored_cut& cut, Cut_history& history)
 {
   const Cut_numbers& numbers = pool.numbers();
   history.add(cut);
-  if(cut.score.stretch > numbers.largest_refined_stretch)
+  if(cut.score.stretch > numbers.largest_refined_stretch || pool.work_per_score() > numbers.refinement_work)
     return;
   const long work = pool.work() + numbers.refinement_work;
   for(double step = numbers.first_step; step >= numbers.last_step && !pool.is_exhausted(work);)

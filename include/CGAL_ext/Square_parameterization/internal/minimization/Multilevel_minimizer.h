@@ -183,7 +183,7 @@ private:
   long most_final_work() const
   {
     return Minimizer_numbers::MOST_FINAL_SWEEPS *
-           long((std::max)(patches()[0].number_of_vertices(), Minimizer_numbers::LARGEST_FACTORED));
+           long((std::max)(patches()[0].number_of_vertices(), Minimizer_numbers::LEAST_FINAL_VERTICES));
   }
 
   /// what is returned when no way leads to a map: searches count what they have cost, too

@@ -31,11 +31,11 @@ constexpr int MOST_VERTICES_OF_SKETCH = 5000;
 constexpr int MOST_VERTICES_OF_MAP = 10000;
 
 /// what the searches from all starts may cost together, in vertices visited, until no more starts are tried for a better
-/// map: half a second, and what a search may. While there is none, all are tried, and the last resort, a longer search
+/// map: 0.4 s, and what a search may. While there is none, all are tried, and the last resort, a longer search
 /// from the first of them, may cost what is left of twice as much.
 inline double most_work_of_starts(int number_of_vertices)
 {
-  return 8e6 + MOST_SEARCH_WORK * number_of_vertices;
+  return 6e6 + MOST_SEARCH_WORK * number_of_vertices;
 }
 
 /// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more

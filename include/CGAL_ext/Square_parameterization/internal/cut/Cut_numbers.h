@@ -133,10 +133,6 @@ struct Cut_numbers
   /// no map in the end; more: seconds of search in vain.
   long times_work_without_map = 5;
 
-  /// cuts to begin with that are scored in any case; so many more as there is work left for when those have told what a
-  /// score costs. More: seconds where hardly any cut has a map.
-  std::size_t first_starts = 3;
-
   /// `growth_work` where there are many loops: see `many_loops`
   long little_growth_work = 35000;
 

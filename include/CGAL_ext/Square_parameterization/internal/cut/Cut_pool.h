@@ -109,10 +109,11 @@ public:
     return score(std::move(cuts), weight, static_cast<std::size_t>(numbers().scored_well));
   }
 
-  /// scores cuts to begin with, all of them well, until `is_exhausted(work)`
+  /// scores cuts to begin with, all of them well: the first, which tells what a score costs, and as many more as there is
+  /// work for
   void start(const std::vector<Cut>& cuts, long work)
   {
-    std::size_t next = 0, end = numbers().first_starts;
+    std::size_t next = 0, end = 1;
     while(next < cuts.size() && (next == 0 || !is_exhausted(work))) {
       std::vector<Scored_cut> starts;
       for(; next < (std::min)(end, cuts.size()); ++next)

@@ -193,7 +193,7 @@ TEST_CASE("a vertex is in a later wave than the vertices round it, and waves mak
   Uv_coordinates in_turn(patch.number_of_vertices(), 2);
   for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
     in_turn.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
-  Vertex_insertion insertion(patch, 0.3, {1, 1}, in_turn);
+  Vertex_insertion insertion(patch, 0.3, {1, 1}, true, in_turn);
   for(std::size_t i = coarse.removals.size(); i-- > 0;)
     REQUIRE(insertion.insert_inside(coarse.removals[i].vertex, coarse.ring(coarse.removals[i])));
   CHECK(uv == in_turn);

@@ -183,3 +183,28 @@ TEST_CASE("a search may be cancelled while it makes sketches")
   CHECK_FALSE(outcome.report.best_candidate);
   CHECK(outcome.map.uv.rows() == 0);
 }
+
+TEST_CASE("a search that may take longer is told of as much less work, whatever it has cost")
+{
+  struct Asking_search
+  {
+    Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
+    void operator()(const Corner_search_problem& problem) const
+    {
+      problem.objective_of({0, 1});
+      told = problem.work();
+    }
+    double& told;
+  };
+  const Patch patch = make_patch_of(noisy_height_field(30));
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  Square_search_options options;
+  options.moves_corners = false;
+  double told = 0, told_less = 0;
+  const Search_outcome usual = search_corners(patch, *minimizer, Asking_search{told}, options);
+  const Search_outcome longer = search_corners(patch, *minimizer, Asking_search{told_less}, options, 8);
+  CHECK(usual.heeds_work);
+  CHECK(usual.work == longer.work);
+  CHECK(told == Approx(usual.work / patch.number_of_vertices()));
+  CHECK(told_less == Approx(told / 8));
+}

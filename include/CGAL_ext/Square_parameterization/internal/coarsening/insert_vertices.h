@@ -15,6 +15,7 @@
 #include <array>
 #include <atomic>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -26,8 +27,10 @@ namespace internal {
 class Vertex_insertion
 {
 public:
-  Vertex_insertion(const Patch& patch, double balance, const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv)
-    : m_patch(patch), m_star(balance, to_rectangle), m_uv(uv)
+  /// \param may_use_mean_values false to begin in the middle of rings however bad that is
+  Vertex_insertion(const Patch& patch, double balance, const Eigen::RowVector2d& to_rectangle, bool may_use_mean_values,
+                   Uv_coordinates& uv)
+    : m_patch(patch), m_star(balance, to_rectangle), m_may_use_mean_values(may_use_mean_values), m_uv(uv)
   {}
 
   /// puts an interior vertex into the middle of its ring, to its mean value coordinates where these are far better, as
@@ -43,14 +46,10 @@ public:
       ring_uv.push_back(m_uv.row(ring[i]));
       position += m_uv.row(ring[i]) / ring.size();
     }
-    constexpr double FAR_BETTER = 0.5;
-    double energy = m_star.energy(position);
-    const Eigen::RowVector2d by_mean_values = mean_value_position(vertex, ring);
-    if(const double mean_value_energy = m_star.energy(by_mean_values); mean_value_energy < FAR_BETTER * energy) {
-      position = by_mean_values;
-      energy = mean_value_energy;
-    }
-    if(!std::isfinite(energy)) {
+    const double energy = m_star.energy(position);
+    if(const auto better = far_better_mean_values(vertex, ring, energy))
+      position = *better;
+    else if(!std::isfinite(energy)) {
       const std::optional<Eigen::RowVector2d> seeing = point_in_kernel(ring_uv);
       if(!seeing || !std::isfinite(m_star.energy(*seeing)))
         return false;
@@ -85,6 +84,16 @@ public:
   }
 
 private:
+  /// where the mean value coordinates of the vertex take it, if the energy is far below the given one there
+  std::optional<Eigen::RowVector2d> far_better_mean_values(int vertex, const Vertex_ring& ring, double energy)
+  {
+    constexpr double FAR_BETTER = 0.5;
+    if(!m_may_use_mean_values)
+      return {};
+    const Eigen::RowVector2d position = mean_value_position(vertex, ring);
+    return m_star.energy(position) < FAR_BETTER * energy ? std::optional(position) : std::nullopt;
+  }
+
   /// where the mean value coordinates of the vertex take it; not finite at a degenerate ring
   Eigen::RowVector2d mean_value_position(int vertex, const Vertex_ring& ring) const
   {
@@ -113,6 +122,7 @@ private:
 
   const Patch& m_patch;
   Vertex_star m_star;
+  bool m_may_use_mean_values;
   Uv_coordinates& m_uv;
 };
 
@@ -137,20 +147,12 @@ inline bool insert_corner(const Coarse_patch& coarse, std::size_t i, Vertex_inse
                                   ring[0] == removal.vertex ? ring.back() : ring[0]);
 }
 
-/// puts the vertices that a coarse patch left out back into its map, in the reverse order. That is always possible: the
-/// vertex that took the place of another saw the whole ring. A corner of the square that was left out gets its place
-/// back, and the vertex that stood there moves on.
-///
-/// Where no vertex moves on, those of a wave are put back at a time, by the threads of the current team.
-///
-/// \param coarse_uv a map of \p coarse without flips
-/// \param to_rectangle what takes the unit square to the rectangle of the energy
-/// \param removed_corners of the border of \p coarse: places in its removals, ascending
-/// \return a map of \p fine without flips; none when one is lost in rounding
-inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Coarse_patch& coarse,
-                                                     const Uv_coordinates& coarse_uv,
-                                                     const std::vector<std::size_t>& removed_corners, double balance,
-                                                     const Eigen::RowVector2d& to_rectangle = {1, 1})
+/// `insert_vertices()`, with vertices at their mean value coordinates or without
+inline std::optional<Uv_coordinates> try_to_insert_vertices(const Patch& fine, const Coarse_patch& coarse,
+                                                            const Uv_coordinates& coarse_uv,
+                                                            const std::vector<std::size_t>& removed_corners,
+                                                            double balance, const Eigen::RowVector2d& to_rectangle,
+                                                            bool may_use_mean_values)
 {
   constexpr std::size_t VERTICES_AT_A_TIME = 512;
   Uv_coordinates uv(fine.number_of_vertices(), 2);
@@ -163,7 +165,7 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
       for_ranges(
           coarse.waves.first[wave + 1] - first,
           [&](std::size_t begin, std::size_t end) {
-            Vertex_insertion insertion(fine, balance, to_rectangle, uv);
+            Vertex_insertion insertion(fine, balance, to_rectangle, may_use_mean_values, uv);
             for(std::size_t i = begin; i < end && !is_lost; ++i)
               if(!insert_vertex(coarse, coarse.waves.removals[first + i], insertion))
                 is_lost = true;
@@ -171,7 +173,7 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
           VERTICES_AT_A_TIME);
     }
   } else {
-    Vertex_insertion insertion(fine, balance, to_rectangle, uv);
+    Vertex_insertion insertion(fine, balance, to_rectangle, may_use_mean_values, uv);
     for(std::size_t i = coarse.removals.size(); i-- > 0 && !is_lost;)
       is_lost = !(std::binary_search(removed_corners.begin(), removed_corners.end(), i)
                       ? insert_corner(coarse, i, insertion, uv)
@@ -180,6 +182,27 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
   if(is_lost)
     return {};
   return uv;
+}
+
+/// puts the vertices that a coarse patch left out back into its map, in the reverse order. That is always possible: the
+/// vertex that took the place of another saw the whole ring. A corner of the square that was left out gets its place
+/// back, and the vertex that stood there moves on.
+///
+/// Where no vertex moves on, those of a wave are put back at a time, by the threads of the current team. Where one is
+/// lost in rounding all begin again, in the middle of their rings: mean value coordinates may lead close to an edge.
+///
+/// \param coarse_uv a map of \p coarse without flips
+/// \param to_rectangle what takes the unit square to the rectangle of the energy
+/// \param removed_corners of the border of \p coarse: places in its removals, ascending
+/// \return a map of \p fine without flips; none when one is lost in rounding
+inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Coarse_patch& coarse,
+                                                     const Uv_coordinates& coarse_uv,
+                                                     const std::vector<std::size_t>& removed_corners, double balance,
+                                                     const Eigen::RowVector2d& to_rectangle = {1, 1})
+{
+  auto uv = try_to_insert_vertices(fine, coarse, coarse_uv, removed_corners, balance, to_rectangle, true);
+  return uv ? std::move(uv)
+            : try_to_insert_vertices(fine, coarse, coarse_uv, removed_corners, balance, to_rectangle, false);
 }
 
 } // namespace internal

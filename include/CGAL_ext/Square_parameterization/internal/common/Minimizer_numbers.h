@@ -190,8 +190,8 @@ struct Minimizer_numbers
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
   /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many: half a second. Less: maps stretched tens of times are
   /// left before they are near their minimum.
-  static constexpr long MOST_FINAL_SWEEPS = 1000;
-  static constexpr int LEAST_FINAL_VERTICES = 10000;
+  static constexpr long MOST_FINAL_SWEEPS = 450;
+  static constexpr int LEAST_FINAL_VERTICES = 20000;
 
   /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
   static constexpr int LARGEST_WARM_START = 1000;
@@ -226,7 +226,7 @@ struct Minimizer_numbers
 
   /// share of the vertices of the patch to be mapped, below which a coarse patch may be given up for its energy: of
   /// later ones most of the work is done
-  static constexpr double LARGEST_GIVEN_UP = 0.3;
+  static constexpr double LARGEST_GIVEN_UP = 0.2;
 
   // --- the iteration of Yoshizawa et al.: Stretch_iteration, Flip_repair ---
 

@@ -39,7 +39,7 @@ public:
   struct Limits
   {
     unsigned int iterations;                        ///< largest number of steps, with those that the map has behind it
-    long work = (std::numeric_limits<long>::max)(); ///< of these steps, in vertices visited
+    long work = (std::numeric_limits<long>::max)(); ///< of all these steps, in vertices visited
 
     /// ends, too, as soon as the energy will stay above it by all that steps promise; the objective is what it would come
     /// to then, and not below
@@ -131,8 +131,7 @@ public:
       report.history.push_back(report.objective);
     const unsigned int first_iteration = report.iterations;
     while(true) {
-      if(report.iterations >= limits.iterations ||
-         work_of(report.iterations - first_iteration, steps.roundabouts()) > limits.work) {
+      if(report.iterations >= limits.iterations || work_of(report.iterations, steps.roundabouts()) > limits.work) {
         report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
         break;
       }

@@ -73,23 +73,27 @@ public:
   }
 
   /// moves the four corners on rough maps, from the given ones and, where the rectangle is not the square, from others,
-  /// then on sketches, if there are some, and maps for what comes out. False when the given ones may still be better, as
-  /// always where they have no rough map to compare with.
+  /// then on sketches, if there are some, and maps for what comes out. False when the given ones may still be better, and
+  /// are not too costly to be mapped, too; always false where they have no rough map to compare with, or one step would
+  /// cost too much.
   /// \param sketch of the given ones; may be null
   bool move(const Corners& start, const Uv_coordinates* sketch)
   {
     try {
       double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
       Corner_moves moves(m_patch.border_lengths, objective_of(*m_rough_maps, nullptr),
-                         [this, &most_work] { return double(m_rough_maps->work()) > most_work; });
+                         [this, &most_work] { return work_of_rough_maps() > most_work; });
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;
       most_work = most_moving_work(is_square);
+      if(work_of_rough_maps() > most_work)
+        return false;
       std::vector<Corners> ends = ends_of_moves(start, is_square, moves);
       const bool is_certain = m_sketches && keep_best_sketch(start, sketch, most_work, moves, ends);
       map_ends(ends);
-      return is_certain && best_map().uv.rows() > 0;
+      const double sweeps = double(m_maps.work()) / m_patch.number_of_vertices();
+      return (is_certain || sweeps > MOST_WORK_OF_FIRST_MAP) && best_map().uv.rows() > 0;
     } catch(const Search_cancelled&) {
       m_is_cancelled = true;
       return false;
@@ -110,6 +114,15 @@ private:
       return maps(choices, {choices.size(), maps.warm_start(near->corners)},
                   is_square ? near->objective : std::numeric_limits<double>::infinity());
     };
+  }
+
+  /// what rough maps have cost, in vertices visited; on large patches, of which some have costly ones, with those of one
+  /// more step at the same cost for each. \pre there is one
+  double work_of_rough_maps() const
+  {
+    constexpr double MAPS_OF_STEP = 16; // about: all corners, pairs and single ones, either way
+    const double with_next = m_sketches ? 1 + MAPS_OF_STEP / double(m_rough_maps->number_of_choices()) : 1;
+    return double(m_rough_maps->work()) * with_next;
   }
 
   /// where the corners come to rest, but for the start itself

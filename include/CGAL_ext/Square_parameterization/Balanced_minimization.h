@@ -43,7 +43,7 @@ struct Balanced_minimization
   /// the same while candidates for the corners are compared; not negative
   double search_tolerance = 1e-4;
 
-  /// largest number of steps on the mesh itself; there are fewer where they have taken about a second on a mesh of up to
+  /// largest number of steps on the mesh itself; there are fewer where they have taken half a second on a mesh of up to
   /// 20000 vertices, or in proportion on a larger one
   unsigned int maximum_iterations = 600;
 

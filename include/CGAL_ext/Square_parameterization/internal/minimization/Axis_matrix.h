@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_AXIS_MATRIX_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_AXIS_MATRIX_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Balanced_energy.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/sparse_pattern.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -32,9 +34,11 @@ public:
   /// \param rank #V: the row of each vertex
   /// \param division of the patch, which must live as long; null for none: then one thread computes the Hessian
   Axis_matrix(const Patch& patch, std::vector<int> rank, const Patch_division* division = nullptr)
-    : m_patch(patch), m_rank(std::move(rank)), m_division(division)
+    : m_patch(patch), m_rank(std::move(rank)), m_vertices(m_rank.size()), m_division(division)
   {
     const int n = patch.number_of_vertices();
+    for(int v = 0; v < n; ++v)
+      m_vertices[m_rank[v]] = v;
     std::vector<Eigen::Triplet<char>> entries;
     entries.reserve(n + patch.edges.size());
     for(int i = 0; i < n; ++i)
@@ -71,7 +75,8 @@ public:
   {
     const Eigen::RowVector2d to_rectangle = energy.scale(uv);
     Number_per_axis* const values = matrix.valuePtr();
-    std::fill_n(values, matrix.nonZeros(), Number_per_axis());
+    for_ranges(matrix.nonZeros(),
+               [&](std::size_t begin, std::size_t end) { std::fill(values + begin, values + end, Number_per_axis()); });
     typedef Balanced_energy::Hessian_blocks Blocks;
     const auto blocks_of = [&](int f) { return energy.hessian_blocks(f, uv, to_rectangle); };
     const auto add = [&](int f, const Blocks& blocks, double) {
@@ -93,23 +98,21 @@ public:
   /// gives unit rows to the coordinates that may not move, in a matrix that was set
   void fix(const Free_coordinates& is_free, Matrix& matrix) const
   {
-    Number_per_axis* const values = matrix.valuePtr();
-    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
-      const auto& t = m_patch.triangles[f];
-      for(int axis = 0; axis < 2; ++axis)
-        for(int k = 0; k < 3; ++k)
-          if(!is_free(t[k], axis) || !is_free(t[(k + 1) % 3], axis))
-            values[m_sides[f][k]][axis] = 0;
-    }
-    for(int v = 0; v < m_patch.number_of_vertices(); ++v)
-      for(int axis = 0; axis < 2; ++axis)
-        if(!is_free(v, axis))
-          values[m_diagonal[v]][axis] = 1;
+    for_ranges(m_vertices.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t column = begin; column < end; ++column)
+        for(Matrix::InnerIterator entry(matrix, static_cast<Eigen::Index>(column)); entry; ++entry) {
+          const int v = m_vertices[entry.row()], w = m_vertices[column];
+          for(int axis = 0; axis < 2; ++axis)
+            if(!is_free(v, axis) || !is_free(w, axis))
+              entry.valueRef()[axis] = v == w ? 1 : 0;
+        }
+    });
   }
 
 private:
   const Patch& m_patch;
-  std::vector<int> m_rank;
+  std::vector<int> m_rank;     // #V: the row of each vertex
+  std::vector<int> m_vertices; // #V: the vertex of each row
   const Patch_division* m_division;
   Eigen::SparseMatrix<char> m_pattern;     // upper triangle; its values are not read
   std::vector<int> m_diagonal;             // #V: places of the entries of vertices on the diagonal

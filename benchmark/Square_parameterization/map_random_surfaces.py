@@ -7,7 +7,7 @@ The surfaces are those of the fuzzer, which build/bin/random_surfaces writes; th
 run is wrong when it crashes or hangs, exits with a status that is not documented, gives a map that is not one-to-one or
 has another stretch than the report says, leaves a file that it should not, or one is missing. With default settings and
 one thread it has a limit of processor time, too: 2 seconds for a disk and 5 for another surface of at most 10000 faces,
-1 for another one of at most 1000. What has no map counts as a disk when it has more than 1000 faces.
+1 for another one of at most 1000. Where there is no map nothing tells the topology: 1 and 2 seconds are the limits then.
 
 One line a surface that is wrong, has no map (exit status 5), or takes longer; a table at the end. Exits 1 when one was
 wrong. A seed gives the same surface and options.

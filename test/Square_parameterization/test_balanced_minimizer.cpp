@@ -267,6 +267,9 @@ TEST_CASE("a minimization ends when its steps have cost what they may")
     CHECK(map.report.iterations == steps + 1); // the one that goes beyond
     CHECK(map.work == (steps + 1) * step);
     CHECK(map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS);
+    const Minimized_map continued = minimizer.minimize(map, 0, {600, (steps + 2) * step}, workspace);
+    CHECK(continued.report.iterations == steps + 3); // the steps behind the map count
+    CHECK(continued.work == (steps + 3) * step);
   }
 }
 

@@ -199,6 +199,10 @@ TEST_CASE("an output that is the input or another output is refused")
   check_refusal(folder, {folder / "link.off", "-o", input}, BAD_COMMAND_LINE, "same file");
   check_refusal(folder, {input, "-o", folder / "map.obj", "--json", folder / "./map.obj"}, BAD_COMMAND_LINE,
                 "same file");
+  const auto from_input = [&] { REQUIRE(freopen(input.c_str(), "r", stdin) != nullptr); };
+  const Finished_process from_stream = square_map({"-", "-o", input}, "", from_input);
+  CHECK(from_stream.status == BAD_COMMAND_LINE);
+  CHECK(is_one_message(from_stream.err, "same file"));
   CHECK(read_file(input) == off(small));
 }
 

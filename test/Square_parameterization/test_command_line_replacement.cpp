@@ -141,3 +141,17 @@ TEST_CASE("a pipe and a device are written in place")
   CHECK(to_stream.status == DONE);
   CHECK(nlohmann::json::parse(to_stream.out).is_object());
 }
+
+TEST_CASE("in a working folder that is gone, outputs cannot be written by a relative name")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  std::filesystem::create_directory(folder / "gone");
+  const auto in_gone = [&] {
+    REQUIRE(chdir((folder / "gone").c_str()) == 0);
+    std::filesystem::remove(folder / "gone");
+  };
+  const Finished_process result = square_map({input, "-o", "x.obj", "--json", "y.json"}, "", in_gone);
+  CHECK(result.status == BAD_COMMAND_LINE);
+  CHECK(is_one_message(result.err, "cannot write 'x.obj': no such folder"));
+}

@@ -3,6 +3,7 @@
 
 #include "test_command_line_checks.h"
 
+#include <cmath>
 #include <map>
 
 // Surfaces that cannot be mapped as they are: refused, or reduced to a component, or cut.
@@ -269,4 +270,18 @@ TEST_CASE("a flat square of 5000 strips is mapped all but without stretch, as it
   for(int a = 0; a < 2 * strips; a += 2)
     soup.faces.insert(soup.faces.end(), {{a, a + 2, a + 3}, {a, a + 3, a + 1}});
   CHECK(check_map(soup).report["best"]["l2"] < 1.2);
+}
+
+TEST_CASE("of a star of 5000 corners, whose maps cost much, one is made, and its corners stay")
+{
+  Soup star;
+  star.faces.emplace_back();
+  for(int i = 0; i < 5000; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / 5000, radius = 0.5 + 0.5 * ((i * 7919) % 5003) / 5003;
+    star.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+    star.faces[0].push_back(i);
+  }
+  const Mapped mapped = check_map(star, {"--triangulate"});
+  CHECK(mapped.report["evaluations"] == 1);
+  CHECK(mapped.report["corner_moves"] == 1); // the one that tells what they cost
 }

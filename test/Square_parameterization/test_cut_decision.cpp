@@ -462,3 +462,29 @@ TEST_CASE("cuts to begin with are scored as long as there is work left, and the 
   CHECK(work_of(1, 0) < some);
   CHECK(some < all);
 }
+
+TEST_CASE("a cut is refined unless it leaves too much stretch, or a score costs more than the refinement may")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3));
+  Thread_team team(1);
+  const Cut cut = rerouted_initial_cuts(surface, {}, team).front();
+  Cut_progress progress(nullptr);
+  const auto is_refined = [&](const Cut_numbers& numbers) {
+    Cut_score_options scoring;
+    scoring.numbers = numbers;
+    Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
+    pool.start({cut}, 0);
+    const long work = pool.work();
+    Cut_report report;
+    Cut_history history(0.05, report);
+    Scored_cut best = pool.best(0.05);
+    refine_cut(pool, 0.05, best, history);
+    return pool.work() > work;
+  };
+  CHECK(is_refined({}));
+  Cut_numbers less_stretch, less_work;
+  less_stretch.largest_refined_stretch = 1;
+  CHECK_FALSE(is_refined(less_stretch));
+  less_work.refinement_work = surface.number_of_vertices() / 2;
+  CHECK_FALSE(is_refined(less_work));
+}

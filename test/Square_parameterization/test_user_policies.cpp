@@ -194,7 +194,7 @@ TEST_CASE("a search with a number out of its range is refused")
   CHECK(refused.message == "a number of the corner search is out of its range");
 }
 
-TEST_CASE("a strategy that has ended early for the work, without a map, is asked once more")
+TEST_CASE("a strategy that asks what maps cost is asked once more when no start has led to a map")
 {
   Flat_mesh flat = unit_square(4);
   // a flap, whose chord has both ends on one side for the first candidate: that has no map
@@ -207,14 +207,17 @@ TEST_CASE("a strategy that has ended early for the work, without a map, is asked
   flat.triangles.push_back({2, left, right});
   flat.border.insert(flat.border.begin() + 2, {left, right});
 
+  constexpr int STARTS = 5; // the chosen one and all others
   int calls = 0;
+  bool asks_for_work = true;
   Square_map_options<Surface_mesh> options;
   options.chords = Chords::EARS;
   options.search_options.moves_corners = false;
   options.search = Any_corner_search{[&](const Corner_search_problem& problem) {
-    const int starts = 1 + 4; // the chosen one and all others
     problem.objective_of({0});
-    if(problem.work() >= 0 && ++calls > starts) {
+    if(asks_for_work)
+      problem.work();
+    if(++calls > STARTS) {
       std::vector<int> others(problem.number_of_candidates - 1);
       std::iota(others.begin(), others.end(), 1);
       problem.objective_of(others);
@@ -223,7 +226,11 @@ TEST_CASE("a strategy that has ended early for the work, without a map, is asked
   const Result result = map_onto_square(flat, options).result;
   CHECK(result.status == SMP::OK);
   CHECK(result.start == Map_start::AS_CHOSEN);
-  CHECK(calls == 6);
+  CHECK(calls == STARTS + 1);
+  calls = 0;
+  asks_for_work = false;
+  CHECK(map_onto_square(flat, options).result.status == SMP::ERROR_NO_1_TO_1_MAPPING);
+  CHECK(calls == STARTS);
 }
 
 TEST_CASE("the visitor of the border is told of the search and, after it, of the minimization")

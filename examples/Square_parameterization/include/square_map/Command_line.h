@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -88,7 +89,9 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   if(fs::is_character_file(path_a, error)) // a terminal, or /dev/null: several may write there
     return false;
   const auto full_path = [&error](const fs::path& path) {
-    fs::path result = fs::weakly_canonical(fs::absolute(path), error);
+    const fs::path absolute = fs::absolute(path, error); // none when the working folder is gone
+    throw_if_out_of_memory(error);
+    fs::path result = error ? path.lexically_normal() : fs::weakly_canonical(absolute, error);
     throw_if_out_of_memory(error); // two paths that are not known are not the same
     return result;
   };
@@ -123,7 +126,9 @@ inline void check_files(const Command_line& line)
   check_extension("the normal map", line.normal_map, {"png"});
   check_extension("the picture of the attributes", line.attributes, {"png"});
   check_extension("the grid mesh", line.grid_mesh, {"obj", "off", "ply", "stl"});
-  std::vector<std::string> files{line.input == "-" ? "" : line.input,
+  std::error_code error; // standard input may be a file, too; what is read of a pipe is nobody's output
+  const std::string stream = std::filesystem::is_regular_file("/dev/stdin", error) ? "/dev/stdin" : "";
+  std::vector<std::string> files{line.input == "-" ? stream : line.input,
                                  line.seams,
                                  line.output,
                                  line.json,

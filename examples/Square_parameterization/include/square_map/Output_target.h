@@ -76,7 +76,7 @@ inline bool names_open_file(std::filesystem::path path)
   namespace fs = std::filesystem;
   std::error_code error;
   for(int links = 0; links < 40 && fs::is_symlink(path, error); ++links) {
-    const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), error);
+    const fs::path folder = fs::canonical(fs::absolute(path, error).parent_path(), error);
     throw_if_out_of_memory(error);
     if(folder == "/dev" || folder.string().rfind("/proc/", 0) == 0)
       return true;
@@ -118,7 +118,9 @@ inline Output_target find_output_target(const std::string& name)
   std::error_code error;
   if(fs::is_symlink(name, error))
     throw Output_error(name, "it is a link to a file that does not exist");
-  const fs::path path = fs::absolute(name), folder = fs::canonical(path.parent_path(), error);
+  const fs::path path = fs::absolute(name, error); // none when the working folder is gone
+  throw_if_out_of_memory(error);
+  const fs::path folder = fs::canonical(path.parent_path(), error);
   throw_if_out_of_memory(error);
   if(error || path.filename().empty())
     throw Output_error(name, reason_of(ENOENT));

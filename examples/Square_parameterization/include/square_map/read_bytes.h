@@ -109,7 +109,7 @@ inline File_bytes read_bytes(const std::string& path)
   if(S_ISDIR(status.st_mode))
     throw Malformed_file("it is a folder");
   if((S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) && !names_open_stream(path))
-    throw Malformed_file("it is a device; a file or a pipe was expected");
+    throw Malformed_file("it is a device; a file was expected");
   constexpr std::size_t CHUNK = 1 << 20;
   const std::size_t most =
       static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) / 8;

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -83,6 +85,9 @@ public:
     return false;
   }
 
+  /// indicates whether mean value coordinates were far better for one of the vertices
+  bool has_used_mean_values() const { return m_has_used_mean_values; }
+
 private:
   /// where the mean value coordinates of the vertex take it, if the energy is far below the given one there
   std::optional<Eigen::RowVector2d> far_better_mean_values(int vertex, const Vertex_ring& ring, double energy)
@@ -91,7 +96,10 @@ private:
     if(!m_may_use_mean_values)
       return {};
     const Eigen::RowVector2d position = mean_value_position(vertex, ring);
-    return m_star.energy(position) < FAR_BETTER * energy ? std::optional(position) : std::nullopt;
+    if(!(m_star.energy(position) < FAR_BETTER * energy))
+      return {};
+    m_has_used_mean_values = true;
+    return position;
   }
 
   /// where the mean value coordinates of the vertex take it; not finite at a degenerate ring
@@ -122,7 +130,7 @@ private:
 
   const Patch& m_patch;
   Vertex_star m_star;
-  bool m_may_use_mean_values;
+  bool m_may_use_mean_values, m_has_used_mean_values = false;
   Uv_coordinates& m_uv;
 };
 
@@ -147,18 +155,23 @@ inline bool insert_corner(const Coarse_patch& coarse, std::size_t i, Vertex_inse
                                   ring[0] == removal.vertex ? ring.back() : ring[0]);
 }
 
-/// `insert_vertices()`, with vertices at their mean value coordinates or without
-inline std::optional<Uv_coordinates> try_to_insert_vertices(const Patch& fine, const Coarse_patch& coarse,
-                                                            const Uv_coordinates& coarse_uv,
-                                                            const std::vector<std::size_t>& removed_corners,
-                                                            double balance, const Eigen::RowVector2d& to_rectangle,
-                                                            bool may_use_mean_values)
+/// a map with all vertices put back, if none was lost in rounding
+struct Insertion
+{
+  std::optional<Uv_coordinates> uv;
+  bool has_used_mean_values;
+};
+
+/// `insert_vertices()`, with vertices at their mean value coordinates where these are far better, or without
+inline Insertion try_to_insert_vertices(const Patch& fine, const Coarse_patch& coarse, const Uv_coordinates& coarse_uv,
+                                        const std::vector<std::size_t>& removed_corners, double balance,
+                                        const Eigen::RowVector2d& to_rectangle, bool may_use_mean_values)
 {
   constexpr std::size_t VERTICES_AT_A_TIME = 512;
   Uv_coordinates uv(fine.number_of_vertices(), 2);
   for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
     uv.row(coarse.fine_vertex[v]) = coarse_uv.row(v);
-  std::atomic<bool> is_lost{false};
+  std::atomic<bool> is_lost{false}, has_used_mean_values{false};
   if(removed_corners.empty()) {
     for(std::size_t wave = 0; wave < coarse.waves.size() && !is_lost; ++wave) {
       const std::size_t first = coarse.waves.first[wave];
@@ -169,6 +182,8 @@ inline std::optional<Uv_coordinates> try_to_insert_vertices(const Patch& fine, c
             for(std::size_t i = begin; i < end && !is_lost; ++i)
               if(!insert_vertex(coarse, coarse.waves.removals[first + i], insertion))
                 is_lost = true;
+            if(insertion.has_used_mean_values())
+              has_used_mean_values = true;
           },
           VERTICES_AT_A_TIME);
     }
@@ -178,10 +193,9 @@ inline std::optional<Uv_coordinates> try_to_insert_vertices(const Patch& fine, c
       is_lost = !(std::binary_search(removed_corners.begin(), removed_corners.end(), i)
                       ? insert_corner(coarse, i, insertion, uv)
                       : insert_vertex(coarse, i, insertion));
+    has_used_mean_values = insertion.has_used_mean_values();
   }
-  if(is_lost)
-    return {};
-  return uv;
+  return {is_lost ? std::nullopt : std::optional(std::move(uv)), has_used_mean_values};
 }
 
 /// puts the vertices that a coarse patch left out back into its map, in the reverse order. That is always possible: the
@@ -189,7 +203,7 @@ inline std::optional<Uv_coordinates> try_to_insert_vertices(const Patch& fine, c
 /// back, and the vertex that stood there moves on.
 ///
 /// Where no vertex moves on, those of a wave are put back at a time, by the threads of the current team. Where one is
-/// lost in rounding all begin again, in the middle of their rings: mean value coordinates may lead close to an edge.
+/// lost in rounding all begin again without mean value coordinates, which may lead close to an edge.
 ///
 /// \param coarse_uv a map of \p coarse without flips
 /// \param to_rectangle what takes the unit square to the rectangle of the energy
@@ -200,9 +214,11 @@ inline std::optional<Uv_coordinates> insert_vertices(const Patch& fine, const Co
                                                      const std::vector<std::size_t>& removed_corners, double balance,
                                                      const Eigen::RowVector2d& to_rectangle = {1, 1})
 {
-  auto uv = try_to_insert_vertices(fine, coarse, coarse_uv, removed_corners, balance, to_rectangle, true);
-  return uv ? std::move(uv)
-            : try_to_insert_vertices(fine, coarse, coarse_uv, removed_corners, balance, to_rectangle, false);
+  const auto insert = [&](bool may_use_mean_values) {
+    return try_to_insert_vertices(fine, coarse, coarse_uv, removed_corners, balance, to_rectangle, may_use_mean_values);
+  };
+  Insertion first = insert(true);
+  return first.uv || !first.has_used_mean_values ? std::move(first.uv) : insert(false).uv;
 }
 
 } // namespace internal

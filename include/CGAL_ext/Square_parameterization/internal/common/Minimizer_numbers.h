@@ -176,9 +176,9 @@ struct Minimizer_numbers
   /// a map is stretched tens of times, and hardly changes the map of the finer patch.
   static constexpr unsigned int COARSE_ITERATIONS = 60;
 
-  /// the same on a coarse patch that has hardly more vertices than the one before it, which was minimised: less than
-  /// `SMALL_REFINEMENT` times as many, where that is not the coarsest and has `LEAST_REFINED` or more. More: surfaces
-  /// with ears and spikes, of which many such patches are made, take seconds; fewer: their maps are stretched more.
+  /// the same on a coarse patch that begins with the map of one with hardly fewer vertices: with `LEAST_REFINED` or more,
+  /// and more than a `SMALL_REFINEMENT`-th of its own. More: surfaces with ears and spikes, of which many such patches are
+  /// made, take seconds; fewer: their maps are stretched more.
   static constexpr unsigned int ITERATIONS_OF_SMALL_REFINEMENT = 10;
   static constexpr double SMALL_REFINEMENT = 1.2;
   static constexpr int LEAST_REFINED = 1000;
@@ -188,7 +188,7 @@ struct Minimizer_numbers
   static constexpr unsigned int SEARCH_ITERATIONS = 60;
 
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
-  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many: half a second. Less: maps stretched tens of times are
+  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many. Less: maps stretched tens of times are
   /// left before they are near their minimum.
   static constexpr long MOST_FINAL_SWEEPS = 450;
   static constexpr int LEAST_FINAL_VERTICES = 20000;
@@ -225,7 +225,7 @@ struct Minimizer_numbers
   static constexpr double LOST_RESULT = 1e9;
 
   /// share of the vertices of the patch to be mapped, below which a coarse patch may be given up for its energy: of
-  /// later ones most of the work is done
+  /// later ones most of the work is done. Larger: work on polygons of ten thousand corners is thrown away.
   static constexpr double LARGEST_GIVEN_UP = 0.2;
 
   // --- the iteration of Yoshizawa et al.: Stretch_iteration, Flip_repair ---

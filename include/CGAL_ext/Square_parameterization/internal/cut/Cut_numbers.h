@@ -164,8 +164,8 @@ struct Cut_numbers
   /// vertices mapped to refine a cut, at most: fifteen cuts of 4000 faces
   long refinement_work = 30000;
 
-  /// L2 stretch that a cut leaves, at most, for it to be refined. More: a third of a second in vain, where nothing but
-  /// another cut would help.
+  /// L2 stretch that a cut leaves, at most, for it to be refined; one that has no map is not. More: a third of a second,
+  /// nearly always in vain.
   double largest_refined_stretch = 1000;
 
   // --- carrying a cut over to a finer surface ---

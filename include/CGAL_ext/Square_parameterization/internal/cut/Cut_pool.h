@@ -135,7 +135,7 @@ public:
   }
 
   /// what a score has cost. \pre there is one
-  long work_per_score() const { return m_work / static_cast<long>(m_known.size()); }
+  long work_per_score() const { return (std::max)(1L, m_work / static_cast<long>(m_known.size())); }
 
   /// the best of all at a weight. \pre there is one
   const Scored_cut& best(double weight) const { return best_of(m_known, weight); }

@@ -49,7 +49,7 @@ inline bool improve_cut(Cut_pool& pool, double weight, double distance, long wor
 }
 
 /// moves, or drops, terminals of a cut as long as that lowers its score: first by large steps, then by smaller ones. A cut
-/// stays as it is where one leaves too much stretch, or one score costs too much.
+/// stays as it is where it leaves too much stretch, or has no map, or a score costs too much.
 inline void refine_cut(Cut_pool& pool, double weight, Scored_cut& cut, Cut_history& history)
 {
   const Cut_numbers& numbers = pool.numbers();

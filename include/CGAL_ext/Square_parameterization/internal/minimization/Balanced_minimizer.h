@@ -39,7 +39,8 @@ public:
   struct Limits
   {
     unsigned int iterations;                        ///< largest number of steps, with those that the map has behind it
-    long work = (std::numeric_limits<long>::max)(); ///< of all these steps, in vertices visited
+    /// of all these steps, and of directions round triangles that are tried now, in vertices visited
+    long work = (std::numeric_limits<long>::max)();
 
     /// ends, too, as soon as the energy will stay above it by all that steps promise; the objective is what it would come
     /// to then, and not below

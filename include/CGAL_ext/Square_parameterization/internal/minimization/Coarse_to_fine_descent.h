@@ -94,11 +94,11 @@ private:
     double energy;
   };
 
-  /// of the patch of one level
+  /// steps on the patch of one level, at most
   unsigned int most_iterations(std::size_t level) const
   {
     const Patch_sequence& patches = m_levels.patches();
-    if(level + 1 == patches.size())
+    if(m_levels.is_start(level))
       return Minimizer_numbers::COARSE_ITERATIONS;
     const int coarser = patches[level + 1].number_of_vertices();
     const bool is_small_refinement =

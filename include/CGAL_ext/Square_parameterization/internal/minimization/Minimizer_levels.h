@@ -57,7 +57,6 @@ public:
   {
     Balanced_minimization coarse_options = options;
     coarse_options.balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
-    coarse_options.maximum_iterations = Minimizer_numbers::COARSE_ITERATIONS;
     m_coarse_balance = coarse_options.balance;
     Coarse_patch_stream stream;
     Thread_team::current()(2, [&](std::size_t i) { // the second waits for the first
@@ -81,6 +80,12 @@ public:
 
   const Patch_sequence& patches() const { return m_patches; }
   const Balanced_minimizer& minimizer(std::size_t level) const { return *m_minimizers[level]; }
+
+  /// indicates whether first maps are made of the patch
+  bool is_start(std::size_t level) const
+  {
+    return std::any_of(m_starts.begin(), m_starts.end(), [level](const Start& start) { return start.level == level; });
+  }
 
   /// the patch whose maps are warm starts
   std::size_t warm() const { return m_warm; }
@@ -155,12 +160,6 @@ private:
     while(level < small && interior(level) > Minimizer_numbers::LARGEST_ROUGH_INTERIOR)
       ++level;
     return level;
-  }
-
-  /// indicates whether maps begin with the patch
-  bool is_start(std::size_t level) const
-  {
-    return std::any_of(m_starts.begin(), m_starts.end(), [level](const Start& start) { return start.level == level; });
   }
 
   Patch_sequence m_patches;

@@ -45,6 +45,9 @@ public:
     : m_lengths(std::move(lengths)), m_objective_of(std::move(objective_of)), m_is_exhausted(std::move(is_exhausted))
   {}
 
+  /// the choices that a step compares
+  static std::size_t number_of_moves() { return all_moves().size(); }
+
   /// the number of choices that were evaluated
   std::size_t evaluations() const { return m_known.size(); }
 

@@ -73,9 +73,9 @@ public:
   }
 
   /// moves the four corners on rough maps, from the given ones and, where the rectangle is not the square, from others,
-  /// then on sketches, if there are some, and maps for what comes out. False when the given ones may still be better, and
-  /// are not too costly to be mapped, too; always false where they have no rough map to compare with, or one step would
-  /// cost too much.
+  /// then on sketches, if there are some, and maps for what comes out. False when the given ones are to be mapped, too, since
+  /// they may still be better, and that does not cost too much; and where they have no rough map to compare with, or a step
+  /// would cost too much.
   /// \param sketch of the given ones; may be null
   bool move(const Corners& start, const Uv_coordinates* sketch)
   {
@@ -91,8 +91,9 @@ public:
         return false;
       std::vector<Corners> ends = ends_of_moves(start, is_square, moves);
       const bool is_certain = m_sketches && keep_best_sketch(start, sketch, most_work, moves, ends);
+      const long work_before = m_maps.work();
       map_ends(ends);
-      const double sweeps = double(m_maps.work()) / m_patch.number_of_vertices();
+      const double sweeps = double(m_maps.work() - work_before) / m_patch.number_of_vertices();
       return (is_certain || sweeps > MOST_WORK_OF_FIRST_MAP) && best_map().uv.rows() > 0;
     } catch(const Search_cancelled&) {
       m_is_cancelled = true;
@@ -116,13 +117,12 @@ private:
     };
   }
 
-  /// what rough maps have cost, in vertices visited; on large patches, of which some have costly ones, with those of one
+  /// what rough maps have cost, in vertices visited; where there are sketches, with those of one
   /// more step at the same cost for each. \pre there is one
   double work_of_rough_maps() const
   {
-    constexpr double MAPS_OF_STEP = 16; // about: all corners, pairs and single ones, either way
-    const double with_next = m_sketches ? 1 + MAPS_OF_STEP / double(m_rough_maps->number_of_choices()) : 1;
-    return double(m_rough_maps->work()) * with_next;
+    const double steps = double(Corner_moves::number_of_moves()) / double(m_rough_maps->number_of_choices());
+    return double(m_rough_maps->work()) * (m_sketches ? 1 + steps : 1);
   }
 
   /// where the corners come to rest, but for the start itself

@@ -47,12 +47,12 @@ class Search_for_corners
 {
 public:
   Search_for_corners(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
-                     const Square_search_options& options, double patience)
+                     const Square_search_options& options, double work_factor)
     : m_patch(patch),
       m_minimizer(minimizer),
       m_search(search),
       m_options(options),
-      m_patience(patience),
+      m_work_factor(work_factor),
       m_walk(patch.border_lengths, options.walk),
       m_number_of_candidates(search.candidate_set() == Candidate_set::FULL ? m_walk.size()
                                                                            : number_of_quarter_candidates(m_walk)),
@@ -220,7 +220,7 @@ private:
     }
     problem.work = [this] {
       m_heeds_work = true;
-      return work(MOST_VERTICES_OF_MAP) / m_patience;
+      return work(MOST_VERTICES_OF_MAP) / m_work_factor;
     };
     problem.circle_stretch = [this] { return m_minimizer.circle_stretch(); };
     problem.corner_distances = [this](int candidate) { return corner_distances(border_of(candidate).uv); };
@@ -265,7 +265,7 @@ private:
   const Map_minimizer& m_minimizer;
   const Corner_search& m_search;
   const Square_search_options& m_options;
-  const double m_patience;
+  const double m_work_factor;
   bool m_heeds_work = false;
   const Deadline m_sketch_deadline = part_way_to(m_options.deadline, 0.5);
   const Border_walk m_walk;

@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SEARCH_WORK_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SEARCH_WORK_H
 
+#include <algorithm>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -11,7 +13,8 @@ namespace internal {
 /// an even surface
 constexpr double MOST_SEARCH_WORK = 1200;
 
-/// sweeps over the mesh that the map of the first candidate may cost for others to be mapped, too: surfaces of the usual
+/// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be
+/// mapped, too: surfaces of the usual
 /// kinds take up to 410, those that are nearly all fins, nails or coils 470 to 890. Other corners lower the L2 of these by
 /// 1 % at most.
 constexpr double MOST_WORK_OF_FIRST_MAP = 450;
@@ -30,16 +33,27 @@ constexpr int MOST_VERTICES_OF_SKETCH = 5000;
 /// the same where maps are counted for a search: of larger meshes that have no sketches fewer slow maps are made
 constexpr int MOST_VERTICES_OF_MAP = 10000;
 
-/// what the searches from all starts may cost together, in vertices visited, until no more starts are tried for a better
-/// map: 0.4 s, and what a search may. While there is none, all are tried, and the last resort, a longer search
-/// from the first of them, may cost what is left of twice as much.
+/// what the maps of a search may cost, in vertices visited, until it makes no more of them
+inline double most_work_of_search(int number_of_vertices)
+{
+  return MOST_SEARCH_WORK * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
+}
+
+/// what the candidates of all starts may cost together, in vertices visited, until no more starts are tried for a better
+/// map; twice what those of the first have cost, where that is more. While there is no map all are tried.
 inline double most_work_of_starts(int number_of_vertices)
 {
-  return 6e6 + MOST_SEARCH_WORK * number_of_vertices;
+  return 6e6 + most_work_of_search(number_of_vertices);
+}
+
+/// the same until the last resort, a longer search from the first start when none has led to a map, ends
+inline double most_work_of_last_resort(int number_of_vertices)
+{
+  return 2 * most_work_of_starts(number_of_vertices);
 }
 
 /// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
-/// than half of a search, a third of a second. A rectangle is sought from several places, with all moves.
+/// than half of a search. A rectangle is sought from several places, with all moves.
 inline double most_moving_work(bool is_square)
 {
   return (is_square ? 0.5 : 5) * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;

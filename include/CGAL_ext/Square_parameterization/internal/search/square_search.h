@@ -24,9 +24,9 @@ inline void check_corner_search(const Corner_search& search)
 /// searches the corners of the square among the candidates of \p search and maps the patch for the best of them, as well
 /// as comparing needs: `finish_map()` is to follow. Throws `Unmappable` for a strategy with a number out of range, that
 /// asks for a candidate that does not exist, or for none.
-/// \param patience times the work of an ordinary search that a strategy may take that ends early where maps cost much
+/// \param work_factor times the work of an ordinary search that a strategy may take that ends early where maps cost much
 Search_outcome search_corners(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
-                              const Square_search_options& options, double patience = 1);
+                              const Square_search_options& options, double work_factor = 1);
 
 /// maps the patch for four corners chosen by the user, as well as a search would
 /// \pre the positions are distinct and in counter-clockwise order

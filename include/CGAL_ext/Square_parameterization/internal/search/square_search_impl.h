@@ -17,10 +17,10 @@ namespace internal {
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_corners(const Patch& patch, const Map_minimizer& minimizer,
                                                        const Corner_search& search,
-                                                       const Square_search_options& options, double patience)
+                                                       const Square_search_options& options, double work_factor)
 {
   check_corner_search(search);
-  return Search_for_corners(patch, minimizer, search, options, patience)();
+  return Search_for_corners(patch, minimizer, search, options, work_factor)();
 }
 
 CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer,

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_PATCH_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_PATCH_H
+
+#include <CGAL_ext/Square_parameterization/Square_map_options.h>
+#include <CGAL_ext/Square_parameterization/Square_map_result.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
+#include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
+#include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the search has found no map
+[[noreturn]] inline void refuse_without_map(const Search_report& report)
+{
+  const std::string evaluations = std::to_string(report.evaluations);
+  const std::string candidates = report.evaluations == 1 ? " candidate" : " candidates";
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
+                   report.is_cancelled
+                       ? "the search was stopped after " + evaluations + candidates + ", none with a one-to-one map"
+                       : "none of " + evaluations + " evaluated" + candidates + " has a one-to-one map");
+}
+
+/// maps the patch with the given corners, or with those of a search, as well as comparing needs
+inline Search_outcome map_from_start(const Patch& patch, const Map_minimizer& minimizer,
+                                     const std::optional<Corners>& corners, const Square_map_settings& settings)
+{
+  return corners ? map_with_corners(patch, minimizer, *corners)
+                 : search_corners(patch, minimizer, settings.search, settings.search_options);
+}
+
+/// indicates whether the search has found a map
+inline bool has_map(const Search_outcome& outcome)
+{
+  return outcome.map.uv.rows() > 0;
+}
+
+/// indicates whether the search has found no map, or one that must be the fault of its start
+/// \param least energy of such a map
+inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_numbers::HOPELESS_RESULT)
+{
+  return !(outcome.map.report.objective < least);
+}
+
+/// tries the other starts until one is not hopeless; when there is a map, until they have cost too much. `finish_map()` is to
+/// follow.
+/// \param best the outcome of the first start; it becomes the best of all, with the work of all
+/// \return where the best began
+inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
+                                  const Square_map_settings& settings, Search_outcome& best)
+{
+  Map_start start = Map_start::AS_CHOSEN;
+  const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
+  if(balanced == nullptr)
+    return start;
+  const Deadline& deadline = settings.search_options.deadline;
+  const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), 2 * best.work);
+  double work = best.work;
+  bool is_cancelled = false;
+  for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
+    const bool is_enough = has_map(best) && work > most_work;
+    if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
+      break;
+    Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
+    is_cancelled = next.report.is_cancelled;
+    work += next.work;
+    if(next.map.report.objective < best.map.report.objective) {
+      best = std::move(next);
+      start = other.start;
+    }
+  }
+  best.report.is_cancelled = is_cancelled || has_passed(deadline);
+  best.work = work;
+  return start;
+}
+
+/// a longer search from the first start, for as long as there is work left, when no start has led to a map
+inline void search_longer(const Patch& patch, const Map_minimizer& minimizer, const Square_map_settings& settings,
+                          Search_outcome& outcome)
+{
+  const int vertices = patch.number_of_vertices();
+  const double work_factor = (most_work_of_last_resort(vertices) - outcome.work) / most_work_of_search(vertices);
+  if(!has_map(outcome) && outcome.heeds_work && !outcome.report.is_cancelled && work_factor > 1)
+    outcome = search_corners(patch, minimizer, settings.search, settings.search_options, work_factor);
+}
+
+/// maps the patch with the given corners, or with those of a search, from the first start that leads to a good map, which
+/// is minimised to the end. Throws `Unmappable` when there is no map.
+inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimizer,
+                                const std::optional<Corners>& corners, const Square_map_settings& settings,
+                                Square_map_report& report)
+{
+  Search_visitor* const visitor = corners ? nullptr : settings.search_options.visitor;
+  Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
+  bool is_finished = !is_hopeless(outcome, Minimizer_numbers::LOST_RESULT);
+  if(is_finished)
+    finish_map(minimizer, visitor, outcome);
+  if(settings.tries_other_starts && is_hopeless(outcome) && !outcome.report.is_cancelled) {
+    report.start = try_other_starts(patch, corners, settings, outcome);
+    is_finished = is_finished && report.start == Map_start::AS_CHOSEN;
+    search_longer(patch, minimizer, settings, outcome);
+  }
+  if(!is_finished)
+    finish_map(minimizer, visitor, outcome);
+  report.search = outcome.report;
+  report.minimization = outcome.map.report;
+  if(settings.search_options.visitor != nullptr)
+    settings.search_options.visitor->end_minimization(outcome.map.report);
+  if(!has_map(outcome))
+    refuse_without_map(outcome.report);
+  return outcome;
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_PATCH_H

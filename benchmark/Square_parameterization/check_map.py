@@ -93,7 +93,7 @@ def l2_stretch(points, places, faces):
     size = max(max(p[k] for p in points) - low[k] for k in range(3)) or 1
     rounding = 2 ** -50 * max(max(map(abs, p)) for p in points) / size
     points = [[(p[k] - low[k]) / size for k in range(3)] for p in points]
-    least = greatest = area = 0
+    least = greatest = least_area = greatest_area = 0
     for face in faces:
         (p, a), (q, b), (r, c) = ((points[v], places[t]) for v, t in face)
         e, f, g = ([x - y for x, y in zip(*ends)] for ends in ((q, p), (r, p), (r, q)))
@@ -106,12 +106,13 @@ def l2_stretch(points, places, faces):
         squares = sum((x * (c[k] - a[k]) - y * (b[k] - a[k])) ** 2 for x, y in zip(e, f) for k in range(2))
         squares /= 2 * (left - right) ** 2
         uv_error = min(0.5, 2 ** -50 * (abs(left) + abs(right)) / (left - right))
-        area += face_area
+        least_area += max(0, face_area - area_error)
+        greatest_area += face_area + area_error
         least += squares * (1 - uv_error) ** 2 * max(0, face_area - area_error)
         greatest += squares / (1 - uv_error) ** 2 * (face_area + area_error)
-    if area == 0:
+    if greatest_area == 0:
         return 0, math.inf
-    return math.sqrt(least) / area, math.sqrt(greatest) / area
+    return math.sqrt(least) / greatest_area, math.sqrt(greatest) / least_area if least_area > 0 else math.inf
 
 
 def check(path):

@@ -11,10 +11,11 @@ TEST_CASE("the colors of vertices are carried to the samples, in every format th
   // red grows with u, and green with v, on a flat sheet that is its own map but for scale
   const int n = 8;
   Soup flat = sheet(n, n);
-  std::ostringstream coff, coff_real, colored_obj, colored_ply;
+  std::ostringstream coff, coff_real, coff_of_meshlab, colored_obj, colored_ply;
   const std::string counts = std::to_string(flat.points.size()) + ' ' + std::to_string(flat.faces.size());
   coff << "COFF\n" << counts << " 0\n";
   coff_real << "CNOFF\n" << counts << " 0\n";
+  coff_of_meshlab << "NCOFF\n" << counts << " 0\n";
   colored_ply << "ply\nformat ascii 1.0\nelement vertex " << flat.points.size()
               << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty double x\n"
                  "property double y\nproperty double z\nelement face "
@@ -23,6 +24,7 @@ TEST_CASE("the colors of vertices are carried to the samples, in every format th
     const int red = static_cast<int>(20 * p[0]), green = static_cast<int>(20 * p[1]) + 10, blue = 7;
     const std::string place = number(p[0]) + ' ' + number(p[1]) + ' ' + number(p[2]), space = " ";
     coff << place << space << red << space << green << space << blue << " 255\n";
+    coff_of_meshlab << place << space << red << space << green << space << blue << " 255 0 0 1\n";
     coff_real.precision(17);
     colored_obj.precision(17);
     coff_real << place << " 0 0 1 " << std::fixed << red / 255. << space << green / 255. << space << blue / 255.
@@ -32,13 +34,15 @@ TEST_CASE("the colors of vertices are carried to the samples, in every format th
   }
   coff << counted_rows(flat.faces);
   coff_real << counted_rows(flat.faces);
+  coff_of_meshlab << counted_rows(flat.faces);
   colored_ply << counted_rows(flat.faces);
   for(const Face& f : flat.faces)
     colored_obj << "f " << f[0] + 1 << ' ' << f[1] + 1 << ' ' << f[2] + 1 << '\n';
   std::string expected;
   for(const auto& [name, text] :
       {std::make_pair("a.off", coff.str()), std::make_pair("b.off", coff_real.str()),
-       std::make_pair("a.obj", colored_obj.str()), std::make_pair("a.ply", colored_ply.str())}) {
+       std::make_pair("c.off", coff_of_meshlab.str()), std::make_pair("a.obj", colored_obj.str()),
+       std::make_pair("a.ply", colored_ply.str())}) {
     INFO(name);
     const Temporary_folder folder;
     const std::string input = folder.add(name, text);

@@ -132,7 +132,8 @@ TEST_CASE("what OFF files say beside coordinates is ignored, also where it is in
 {
   const std::string text = off(small).substr(3); // without the keyword
   const Temporary_folder folder;
-  for(const char* keyword : {"STOFF", "COFF", "NOFF", "STCNOFF", "# comment\n\n #\n STOFF"})
+  for(const char* keyword :
+      {"STOFF", "COFF", "NOFF", "STCNOFF", "NCOFF", "CSTOFF", "NCSTOFF", "# comment\n\n #\n STOFF"})
     CHECK(check_map(folder.add("in.off", keyword + text)).map.points == small.points);
   std::istringstream lines(text);
   std::string colored = "COFF";

@@ -24,19 +24,26 @@ namespace square_map {
 struct Off_header
 {
   bool has_textures, has_colors, has_normals, is_homogeneous, has_dimension;
-  bool has_edges; ///< their number follows those of vertices and faces
+  bool has_edges;                ///< their number follows those of vertices and faces
+  bool has_colors_first = false; ///< before the normals, in text
   std::size_t vertices = 0, faces = 0;
 };
 
-/// what the keyword of an OFF file says; none when it is none
+/// what the keyword of an OFF file says, also with the letters in the order of MeshLab, which writes colors before normals;
+/// none when it is none
 inline std::optional<Off_header> parse_off_keyword(std::string_view keyword)
 {
-  static const std::regex pattern("(ST)?(C?)(N?)(4?)(n?)(OFF|SKEL)");
+  static const std::regex geomview("(ST)?(C?)(N?)(4?)(n?)(OFF|SKEL)"), meshlab("(N?)(C?)(ST)?OFF");
   std::cmatch match;
-  if(keyword.size() > 10 || !std::regex_match(keyword.data(), keyword.data() + keyword.size(), match, pattern))
-    return {};
   const auto has = [&match](std::size_t k) { return match[k].length() > 0; };
-  return Off_header{has(1), has(2), has(3), has(4), has(5), match[6] == "OFF"};
+  const auto matches = [&](const std::regex& pattern) {
+    return keyword.size() <= 10 && std::regex_match(keyword.data(), keyword.data() + keyword.size(), match, pattern);
+  };
+  if(matches(geomview))
+    return Off_header{has(1), has(2), has(3), has(4), has(5), match[6] == "OFF"};
+  if(matches(meshlab))
+    return Off_header{has(3), has(2), has(1), false, false, true, true};
+  return {};
 }
 
 /// what is wrong with a dimension; empty for nothing

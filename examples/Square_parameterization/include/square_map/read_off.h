@@ -66,10 +66,11 @@ inline double next_color_component(Text_scanner& scanner)
   return scanner.next_real("a component of a color") / (is_real ? 1 : 255);
 }
 
-/// the color of a vertex, after its coordinates and its normal
+/// the color of a vertex, after its coordinates and, unless colors come first, its normal
 inline Eigen::Vector3d next_color(Text_scanner& scanner, const Off_header& header)
 {
-  for(int k = 0; header.has_normals && k < (header.is_homogeneous ? 4 : 3); ++k)
+  const bool is_after_normal = header.has_normals && !header.has_colors_first;
+  for(int k = 0; is_after_normal && k < (header.is_homogeneous ? 4 : 3); ++k)
     scanner.next_real("a coordinate of a normal");
   const double red = next_color_component(scanner), green = next_color_component(scanner);
   return {red, green, next_color_component(scanner)};
@@ -128,7 +129,7 @@ inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Vertex_c
     scanner.refuse(keyword, "OFF");
   if(scanner.find_word()) {
     const std::size_t place = scanner.place();
-    if(scanner.next_word() == "BINARY")
+    if(scanner.next_word() == "BINARY" && !header->has_colors_first)
       return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), *header, colors);
     scanner.go_back(place);
   }

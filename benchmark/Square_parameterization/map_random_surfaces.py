@@ -140,8 +140,10 @@ def check_map(other_checker, path, l2):
     return problems
 
 
-def limit_of(report):
-    """seconds of processor time for a map with default settings"""
+def limit_of(report, surface):
+    """seconds of processor time for a surface with default settings; the report is None where there is no map"""
+    if report is None:
+        return 2 if len(read_faces(surface)[1]) > 1000 else 1
     conditioned = report['conditioned']
     faces = conditioned['faces'] - 2 * conditioned['chords_split'] - conditioned['border_edges_split']
     if faces > 10000:
@@ -167,8 +169,7 @@ class Outcome:
             self.problems = self.find_problems({path.name for path in (folder / 'out').iterdir()})
             if self.status == DONE and not self.problems:
                 self.problems += check_map(arguments.checker, map_file, self.report['best']['l2'])
-        self.is_late = self.is_default and self.seconds > (
-            limit_of(self.report) if self.report else 2 if len(read_faces(surface)[1]) > 1000 else 1)
+        self.is_late = self.is_default and self.seconds > limit_of(self.report, surface)
 
     def find_problems(self, files):
         problems = []

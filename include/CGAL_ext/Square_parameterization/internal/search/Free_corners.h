@@ -117,8 +117,8 @@ private:
     };
   }
 
-  /// what rough maps have cost, in vertices visited; where there are sketches, with those of one
-  /// more step at the same cost for each. \pre there is one
+  /// what rough maps have cost, in vertices visited; where there are sketches, with those of one more step at the same cost
+  /// for each. \pre there is one
   double work_of_rough_maps() const
   {
     const double steps = double(Corner_moves::number_of_moves()) / double(m_rough_maps->number_of_choices());

@@ -237,8 +237,8 @@ private:
   /// the best map so far, and how it was found
   Search_outcome best() const
   {
-    const double work = double(m_evaluation.work()) + (m_sketches ? double(m_sketches->work()) : 0);
-    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report(), work, m_heeds_work};
+    const double visited = double(m_evaluation.work()) + (m_sketches ? double(m_sketches->work()) : 0);
+    Search_outcome outcome{m_evaluation.best_map(), m_evaluation.report(), visited, m_heeds_work};
     Search_report& report = outcome.report;
     if(m_settled_for && !report.best_candidate && has_map())
       report.best_candidate = m_settled_for;

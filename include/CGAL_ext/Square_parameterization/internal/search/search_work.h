@@ -14,9 +14,8 @@ namespace internal {
 constexpr double MOST_SEARCH_WORK = 1200;
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be
-/// mapped, too: surfaces of the usual
-/// kinds take up to 410, those that are nearly all fins, nails or coils 470 to 890. Other corners lower the L2 of these by
-/// 1 % at most.
+/// mapped, too: surfaces of the usual kinds take up to 410, those that are nearly all fins, nails or coils 470 to 890.
+/// Other corners lower the L2 of these by 1 % at most.
 constexpr double MOST_WORK_OF_FIRST_MAP = 450;
 
 /// vertices that such a sweep counts for, at least: maps of smaller meshes are soon made
@@ -40,13 +39,13 @@ inline double most_work_of_search(int number_of_vertices)
 }
 
 /// what the candidates of all starts may cost together, in vertices visited, until no more starts are tried for a better
-/// map; twice what those of the first have cost, where that is more. While there is no map all are tried.
+/// map, unless those of the first have cost more than half of it
 inline double most_work_of_starts(int number_of_vertices)
 {
   return 6e6 + most_work_of_search(number_of_vertices);
 }
 
-/// the same until the last resort, a longer search from the first start when none has led to a map, ends
+/// the same, with those of the last resort, a longer search from the first start when none has led to a map
 inline double most_work_of_last_resort(int number_of_vertices)
 {
   return 2 * most_work_of_starts(number_of_vertices);

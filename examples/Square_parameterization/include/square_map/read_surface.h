@@ -4,7 +4,9 @@
 #ifndef SQUARE_MAP_READ_SURFACE_H
 #define SQUARE_MAP_READ_SURFACE_H
 
+#include <CGAL_ext/Square_parameterization/internal/patch/number_edges.h>
 #include <CGAL_ext/Square_parameterization/internal/soup/condition_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/halfedge_between.h>
 
 #include "File_format.h"
 #include "Memory_limit.h"
@@ -114,16 +116,53 @@ inline Mesh::Vertex_index vertex(std::size_t v)
   return Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
 }
 
-/// the mesh of a conditioned soup; vertices and faces keep their order
+/// joins the halfedges without a face, of which at most one ends at each vertex, and gives each vertex one that ends there:
+/// one without a face where there is one
+inline void join_borders(Mesh& mesh)
+{
+  std::vector<Mesh::Halfedge_index> leaving(mesh.number_of_vertices(), Mesh::null_halfedge());
+  for(const Mesh::Halfedge_index h : mesh.halfedges()) {
+    if(mesh.is_border(h))
+      leaving[mesh.source(h)] = h;
+    else
+      mesh.set_halfedge(mesh.target(h), h);
+  }
+  for(const Mesh::Halfedge_index h : leaving)
+    if(h != Mesh::null_halfedge()) {
+      mesh.set_next(h, leaving[mesh.target(h)]);
+      mesh.set_halfedge(mesh.target(h), h);
+    }
+}
+
+/// the mesh of a conditioned soup; vertices and faces keep their order. Linear in the faces but for sorting the edges at each
+/// vertex: to add face by face walks round vertices, and takes the square of their valence.
 inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
 {
+  std::vector<std::array<int, 3>> triangles;
+  for(const auto& face : soup.faces)
+    triangles.push_back({static_cast<int>(face[0]), static_cast<int>(face[1]), static_cast<int>(face[2])});
+  const CGAL_ext::internal::Edge_numbering numbering = CGAL_ext::internal::number_edges(soup.points.size(), triangles);
+
   Mesh mesh;
-  const auto V = static_cast<Mesh::size_type>(soup.points.size()), F = static_cast<Mesh::size_type>(soup.faces.size());
-  mesh.reserve(V, V + F, F);
+  mesh.reserve(static_cast<Mesh::size_type>(soup.points.size()), static_cast<Mesh::size_type>(numbering.edges.size()),
+               static_cast<Mesh::size_type>(triangles.size()));
   for(const Eigen::Vector3d& p : soup.points)
     mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  for(const auto& face : soup.faces)
-    mesh.add_face(vertex(face[0]), vertex(face[1]), vertex(face[2]));
+  for(const auto& [low, high] : numbering.edges)
+    mesh.add_edge(vertex(low), vertex(high));
+  for(std::size_t f = 0; f < triangles.size(); ++f) {
+    const Mesh::Face_index face = mesh.add_face();
+    std::array<Mesh::Halfedge_index, 3> sides; // side k ends at corner k
+    for(std::size_t k = 0; k < 3; ++k) {
+      const Mesh::Edge_index edge(static_cast<Mesh::size_type>(numbering.triangle_edges[f][(k + 1) % 3]));
+      sides[k] = mesh.halfedge(edge, triangles[f][(k + 2) % 3] < triangles[f][k] ? 0 : 1);
+      mesh.set_face(sides[k], face);
+    }
+    for(std::size_t k = 0; k < 3; ++k)
+      mesh.set_next(sides[k], sides[(k + 1) % 3]);
+    mesh.set_halfedge(face, sides[0]);
+  }
+  join_borders(mesh);
   return mesh;
 }
 
@@ -133,7 +172,7 @@ inline std::vector<Mesh::Edge_index> edges_between(const std::vector<std::array<
 {
   std::vector<Mesh::Edge_index> edges;
   for(const auto& [a, b] : pairs) {
-    const auto h = mesh.halfedge(vertex(a), vertex(b));
+    const auto h = CGAL_ext::internal::halfedge_between(vertex(a), vertex(b), mesh);
     if(h == Mesh::null_halfedge())
       throw CGAL_ext::internal::Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
                                            "the seam from vertex " + std::to_string(a) + " to vertex " +

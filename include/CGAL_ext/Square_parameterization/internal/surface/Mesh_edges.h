@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_MESH_EDGES_H
 
 #include <CGAL_ext/Square_parameterization/internal/surface/Face_graph_arrays.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/halfedge_between.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ public:
              const std::vector<std::array<int, 2>>& edges)
   {
     for(const auto& [a, b] : edges)
-      m_edges.push_back(edge(halfedge(vertices[a], vertices[b], mesh).first, mesh));
+      m_edges.push_back(edge(halfedge_between(vertices[a], vertices[b], mesh), mesh));
   }
 
   edge_descriptor operator[](int e) const { return m_edges[e]; }

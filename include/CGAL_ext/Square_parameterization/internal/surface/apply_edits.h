@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_APPLY_EDITS_H
 
 #include <CGAL_ext/Square_parameterization/internal/surface/Surface_edits.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/halfedge_between.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -79,7 +80,7 @@ private:
   {
     std::vector<halfedge_descriptor> result;
     for(const auto& [a, b] : ends)
-      result.push_back(halfedge(m_vertices[a], m_vertices[b], m_mesh).first);
+      result.push_back(halfedge_between(m_vertices[a], m_vertices[b], m_mesh));
     return result;
   }
 

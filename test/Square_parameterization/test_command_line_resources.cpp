@@ -36,6 +36,11 @@ TEST_CASE("a run with more threads than there is room for makes the map with tho
   };
   const std::string expected = map_with({"--threads", "1"}, [] {});
   CHECK(map_with({"--threads", "500"}, limited(RLIMIT_AS, 170 << 20)) == expected);
+  for(const char* from : {"0", "1", "3"})
+    CHECK(map_with({"--threads", "8"}, [from] {
+            setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
+            setenv("FAILING_THREADS_FROM", from, 1);
+          }) == expected);
 }
 
 TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and nothing is left")
@@ -49,7 +54,7 @@ TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and no
       for(int from = 0; from < 4000; from += 1 + from / 30) {
         const Finished_process result = square_map(
             {input, "-q", "-o", folder / "map.obj", "--json", folder / "report.json", "--threads", "2"}, "", [&] {
-              setenv("LD_PRELOAD", FAILING_MALLOC, 1);
+              setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
               setenv("FAILING_MALLOC_FROM", std::to_string(from).c_str(), 1);
               setenv("FAILING_MALLOC_COUNT", count, 1);
             });

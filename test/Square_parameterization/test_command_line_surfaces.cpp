@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "test_command_line_checks.h"
+#include "test_meshes.h"
 
 #include <cmath>
 #include <map>
@@ -284,4 +285,20 @@ TEST_CASE("of a star of 5000 corners, whose maps cost much, one is made, and its
   const Mapped mapped = check_map(star, {"--triangulate"});
   CHECK(mapped.report["evaluations"] == 1);
   CHECK(mapped.report["corner_moves"] == 1); // the one that tells what they cost
+}
+
+TEST_CASE("a map that did not begin as usual says how it began")
+{
+  const Flat_mesh tube = crumpled_tube(150, 1);
+  Soup soup;
+  for(const Eigen::Vector3d& p : tube.points)
+    soup.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto& [a, b, c] : tube.triangles)
+    soup.faces.push_back({a, b, c});
+  CHECK(check_map(soup).report["start"] == "gradual coarsening");
+  const Temporary_folder folder;
+  const Finished_process usual = square_map({folder.add("in.off", off(sheet(6, 6))), "-o", folder / "map.obj"}),
+                         other = square_map({folder.add("tube.off", off(soup)), "-o", folder / "map.obj"});
+  CHECK(usual.err.find("began with") == std::string::npos);
+  CHECK(other.err.find("this one began with another: gradual coarsening") != std::string::npos);
 }

@@ -3,6 +3,8 @@
 
 #include "mesh_types.h"
 
+#include <CGAL_ext/Square_parameterization/internal/surface/halfedge_between.h>
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
@@ -175,4 +177,15 @@ TEST_CASE("one component of a mesh is mapped, the others are left alone")
   }
   for(std::size_t v = size; v < mesh.number_of_vertices(); ++v)
     CHECK_FALSE(storage.contains(vertex_at(mesh, v)));
+}
+
+TEST_CASE("the halfedge between two vertices is that of CGAL, or none, as far as either end has been walked round")
+{
+  const Surface_mesh mesh =
+      make_mesh<Surface_mesh>(hemisphere(3, 9)); // the pole has nine neighbors, others six or less
+  for(const auto a : vertices(mesh))
+    for(const auto b : vertices(mesh)) {
+      const auto [expected, is_there] = halfedge(a, b, mesh);
+      CHECK(CGAL_ext::internal::halfedge_between(a, b, mesh) == (is_there ? expected : Surface_mesh::null_halfedge()));
+    }
 }

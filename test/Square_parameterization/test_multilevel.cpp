@@ -6,6 +6,7 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
 
 #include <catch2/catch.hpp>
 
@@ -289,4 +290,23 @@ TEST_CASE("what leads to no map counts as work")
     lost += map.uv.rows() == 0;
   }
   CHECK(lost > 0);
+}
+
+TEST_CASE("the other starts have a fixed order, and each leads to a map; one keeps the border as it is")
+{
+  const Patch patch = make_patch_of(noisy_height_field(30));
+  const Uv_coordinates border = border_of(patch, 0);
+  std::vector<Map_start> names;
+  for(const Other_start& start : other_starts(patch, {}, {})) {
+    names.push_back(start.start);
+    const Minimized_map map = start.make_minimizer()->make_worker()(border, nullptr);
+    REQUIRE(map.uv.rows() == patch.number_of_vertices());
+    CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
+    double moved = 0;
+    for(std::size_t k = 0; k < patch.border.size(); ++k)
+      moved = (std::max)(moved, (map.uv.row(patch.border[k]) - border.row(k)).norm());
+    CHECK((moved == 0) == (start.start == Map_start::FIXED_BORDER_FIRST));
+  }
+  CHECK(names == std::vector<Map_start>{Map_start::GRADUAL_COARSENING, Map_start::UNIFORM_WEIGHTS,
+                                        Map_start::MEAN_VALUE_WEIGHTS, Map_start::FIXED_BORDER_FIRST});
 }

@@ -106,7 +106,7 @@ struct Noting_search
 /// \return the work for the first candidate, in sweeps over the mesh, of each search
 std::pair<std::vector<double>, Mapped_soup> map_costly_surface(unsigned int seed)
 {
-  std::vector<std::uint8_t> bytes{11, 0, 64};
+  const std::vector<std::uint8_t> bytes = bytes_of_defaults();
   Byte_source source(bytes.data(), bytes.size());
   Choices_of_bytes choices(source);
   choices.conditioning_options.component = 0;

@@ -10,11 +10,17 @@
 #include <cstdint>
 #include <vector>
 
+/// the bytes of the default settings but for the component: the balanced energy with a sliding border, bracketing, the
+/// best cut, and polygons split
+inline std::vector<std::uint8_t> bytes_of_defaults()
+{
+  return {11, 0, 64};
+}
+
 /// the default settings, or others at random
 inline Choices_of_bytes random_choices(unsigned int seed, unsigned int threads)
 {
-  // the balanced energy with a sliding border, bracketing, the best cut, and polygons split
-  std::vector<std::uint8_t> bytes{11, 0, 64};
+  std::vector<std::uint8_t> bytes = bytes_of_defaults();
   Random_numbers random(seed + 1000000000u); // apart from the numbers of the surface
   if(random(0, 1) < 0.5) {
     bytes.resize(7);

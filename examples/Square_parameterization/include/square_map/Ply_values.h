@@ -22,21 +22,22 @@ public:
 
   double next(Ply_type type, const std::string& element, std::size_t index)
   {
-    const std::string_view word = m_scanner.next_word_anywhere();
+    const std::string_view word = next_word(element, index);
     const bool is_real = type == Ply_type::FLOAT32 || type == Ply_type::FLOAT64;
     const auto number = parse_real(word);
-    if(word.empty())
-      throw Malformed_file("it is incomplete: it ends in " + element + ' ' + std::to_string(index));
-    if(!number || (!is_real && !parse_integer<std::int64_t>(word)))
-      m_scanner.refuse(word,
-                       "in " + element + ' ' + std::to_string(index) + (is_real ? " a number" : " a whole number"));
+    if(!number || (!is_real && !is_integer(type, word)))
+      m_scanner.refuse(word, "in " + element + ' ' + std::to_string(index) +
+                                 (is_real                             ? " a number"
+                                  : parse_integer<std::int64_t>(word) ? " a number that its type can hold"
+                                                                      : " a whole number"));
     return type == Ply_type::FLOAT32 ? static_cast<double>(static_cast<float>(*number)) : *number; // as in binary
   }
 
-  void skip(Ply_type type, std::size_t count, const std::string& element, std::size_t index)
+  /// passes over values, whatever they are
+  void skip(Ply_type, std::size_t count, const std::string& element, std::size_t index)
   {
     for(std::size_t k = 0; k < count; ++k)
-      next(type, element, index);
+      next_word(element, index);
   }
 
   void end_element(const std::string& element, std::size_t index)
@@ -51,6 +52,33 @@ public:
   [[noreturn]] void refuse(const std::string& message) const { m_scanner.refuse(message); }
 
 private:
+  std::string_view next_word(const std::string& element, std::size_t index)
+  {
+    const std::string_view word = m_scanner.next_word_anywhere();
+    if(word.empty())
+      throw Malformed_file("it is incomplete: it ends in " + element + ' ' + std::to_string(index));
+    return word;
+  }
+
+  /// indicates whether a word is a number that fits into a type of whole numbers
+  static bool is_integer(Ply_type type, std::string_view word)
+  {
+    switch(type) {
+    case Ply_type::INT8:
+      return parse_integer<std::int8_t>(word).has_value();
+    case Ply_type::UINT8:
+      return parse_integer<std::uint8_t>(word).has_value();
+    case Ply_type::INT16:
+      return parse_integer<std::int16_t>(word).has_value();
+    case Ply_type::UINT16:
+      return parse_integer<std::uint16_t>(word).has_value();
+    case Ply_type::INT32:
+      return parse_integer<std::int32_t>(word).has_value();
+    default:
+      return parse_integer<std::uint32_t>(word).has_value();
+    }
+  }
+
   Text_scanner m_scanner;
 };
 

@@ -172,13 +172,24 @@ private:
     }
   }
 
-  /// reads what follows the word facet; the normal is passed over
+  /// passes over a normal, which is not needed: some writers leave it out, or write one that is no number as `1.#QNAN`
+  void skip_normal()
+  {
+    std::string_view word = next();
+    if(boost::iequals(word, "normal")) {
+      word = next();
+      for(int component = 0; component < 3 && !boost::iequals(word, "outer"); ++component)
+        word = next();
+    }
+    if(!boost::iequals(word, "outer"))
+      m_scanner.refuse(word, "normal or outer loop");
+  }
+
+  /// reads what follows the word facet
   void read_facet()
   {
     m_is_in_facet = true;
-    for(std::string_view word = next(); !boost::iequals(word, "outer"); word = next())
-      if(!boost::iequals(word, "normal") && !parse_real(word))
-        m_scanner.refuse(word, "normal, a number or outer loop");
+    skip_normal();
     expect("loop");
     std::array<std::array<double, 3>, 3> corners{};
     for(auto& corner : corners) {

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,13 @@ inline CGAL_ext::internal::Surface_soup parse_soup(std::string_view text, File_f
   }
 }
 
+/// what to say after the reason why a file could not be read in a format: that it begins as one of another
+inline std::string other_format(std::string_view text, File_format format)
+{
+  const std::optional<File_format> begun = format_of_content(text);
+  return begun && *begun != format ? std::string("; it begins as ") + name_of(*begun) : "";
+}
+
 /// reads points and polygons of a file or a pipe; "-" is standard input
 /// \param format_name the format, in place of what the extension says; empty for none
 /// \param passed_over what of the file was not used is added, unless it is null
@@ -58,7 +66,7 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const
                                                   Passed_over* passed_over = nullptr, Vertex_colors* colors = nullptr)
 {
   Passed_over unused;
-  std::string reader; // in messages
+  std::string reader, hint; // in messages
   try {
     const File_bytes file = read_bytes(path);
     const std::string_view text = without_byte_order_mark(file.bytes);
@@ -67,6 +75,7 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const
     if(text.empty())
       throw Malformed_file("it is empty");
     reader = std::string(" as ") + name_of(format);
+    hint = other_format(text, format);
     CGAL_ext::internal::Surface_soup soup =
         parse_soup(text, format, passed_over != nullptr ? *passed_over : unused, colors);
     if(soup.points.empty() && soup.faces.empty())
@@ -74,7 +83,7 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const
     return soup;
   } catch(const Malformed_file& error) {
     throw Malformed_file("cannot read " + (path == "-" ? "standard input" : "'" + path + "'") + reader + ": " +
-                         error.what());
+                         error.what() + hint);
   }
 }
 

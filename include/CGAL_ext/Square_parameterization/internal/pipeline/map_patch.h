@@ -56,8 +56,8 @@ inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_
   return !(outcome.map.report.objective < least);
 }
 
-/// tries the other starts until one is not hopeless; when there is a map, until they have cost too much. `finish_map()` is to
-/// follow.
+/// tries the other starts until one is not hopeless; when there is a map, until all have cost too much, but one in any
+/// case. `finish_map()` is to follow.
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
 inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
@@ -68,7 +68,7 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   if(balanced == nullptr)
     return start;
   const Deadline& deadline = settings.search_options.deadline;
-  const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), 2 * best.work);
+  const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
   double work = best.work;
   bool is_cancelled = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {

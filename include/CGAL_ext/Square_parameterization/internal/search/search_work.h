@@ -38,11 +38,14 @@ inline double most_work_of_search(int number_of_vertices)
   return MOST_SEARCH_WORK * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
 }
 
+/// the same where they are those of several starts, beyond what starts may cost on any surface
+constexpr double MOST_WORK_OF_STARTS = 800;
+
 /// what the candidates of all starts may cost together, in vertices visited, until no more starts are tried for a better
-/// map, unless those of the first have cost more than half of it
+/// map
 inline double most_work_of_starts(int number_of_vertices)
 {
-  return 6e6 + most_work_of_search(number_of_vertices);
+  return 6e6 + MOST_WORK_OF_STARTS * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
 }
 
 /// the same, with those of the last resort, a longer search from the first start when none has led to a map

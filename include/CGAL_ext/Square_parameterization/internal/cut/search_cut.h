@@ -153,7 +153,7 @@ private:
           starts.push_back(std::move(cut));
       }
     m_progress.begin_part(GROWN, double(work_of_growth(grown)));
-    const std::vector<Cut> cuts = grow_family(grown, starts);
+    const std::vector<Cut> cuts = grow_family_for_long(grown, starts);
     return copy ? lifted(grown, cuts, surface) : cuts;
   }
 
@@ -164,18 +164,40 @@ private:
     return simplest + i * (numbers().growth_faces - simplest) / (numbers().simpler_copies + 1);
   }
 
-  /// cuts of different lengths: at each weight growth goes on with the best cut met at all
+  /// cuts of different lengths, none of which need be good
   std::vector<Cut> grow_family(const Triangle_surface& surface, const std::vector<Cut>& starts)
+  {
+    Cut_pool pool = grown_pool(surface, starts);
+    return pool.selection(m_weight);
+  }
+
+  /// the same; where the best of them still leaves much stretch they grow for longer, if the surface is small
+  std::vector<Cut> grow_family_for_long(const Triangle_surface& surface, const std::vector<Cut>& starts)
+  {
+    Cut_pool pool = grown_pool(surface, starts);
+    if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()))
+      grow(pool, (std::min)(numbers().times_growth_work * work_of_growth(surface), numbers().long_growth_work));
+    return pool.selection(m_weight);
+  }
+
+  Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Cut>& starts)
   {
     Cut_pool pool = make_pool(surface, numbers().score_tolerance);
     const long most_work = work_of_growth(surface);
     pool.start(starts, (std::max)(most_work, numbers().growth_work_per_vertex * surface.number_of_vertices()));
+    grow(pool, most_work);
+    return pool;
+  }
+
+  /// at each weight growth goes on with the best cut met at all
+  /// \param most_work of the pool, in vertices mapped
+  void grow(Cut_pool& pool, long most_work)
+  {
     const std::vector<double> weights = weights_of_family(m_weight);
     for(std::size_t i = 0; i < weights.size(); ++i) {
       const long done = pool.work();
       Cut_growth(pool, weights[i], done + (most_work - done) / static_cast<long>(weights.size() - i), m_history)();
     }
-    return pool.selection(m_weight);
   }
 
   /// the cuts carried over to a finer surface

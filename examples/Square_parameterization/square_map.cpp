@@ -73,7 +73,7 @@ void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
   job.conditioning = condition(soup, line.conditioning_options);
   job.mesh = make_mesh(soup);
   if(!line.seams.empty())
-    line.options.seams = edges_between(read_seams(line.seams, job.conditioning), job.mesh);
+    line.options.seams = edges_of(read_seams(line.seams, job.conditioning), job.mesh);
   if(line.corners)
     line.options.corners = mesh_vertices(*line.corners, job.conditioning);
   job.uncut_vertices = job.mesh.number_of_vertices();

@@ -69,6 +69,7 @@ TEST_CASE("a defect of an OBJ file is named with its line")
       {"in.obj", obj_points + "f 1 3 4x\n", "line 6: a corner of a face, such as 1, 1/2, 1//3 or 1/2/3, was expected"},
       {"in.obj", obj_points + "f 1 3 4 x\n", "line 6: a corner of a face, such as 1, 1/2, 1//3 or 1/2/3, was expected"},
       {"in.obj", obj_points + "f 1 3 4.5\n", "line 6: a corner"},
+      {"in.obj", obj_points + "f1 3 4\n", "line 6: a blank after v or f was expected, not 'f1'"},
       {"in.obj", obj_points + "f 1 3 4/1x\n", "line 6: a corner"},
       {"in.obj", obj_points + "f 1 3 4/1/1/1\n", "line 6: a corner"},
       {"in.obj", obj_points + "f 1 3 4/0\n", "line 6: a corner"},
@@ -132,6 +133,10 @@ TEST_CASE("a defect of a PLY file is named with its line or its element")
       {"in.ply",
        "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz + "element tristrips 1\n" + list + "end_header\n" + ply_points,
        "it has triangle strips, which are not read; an element face was expected"},
+      {"in.ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz + "element face 1\n" + list + "element tristrips 1\n" + list +
+           "end_header\n" + ply_points + "3 0 1 2\n3 0 1 2\n",
+       "it has triangle strips, which are not read; an element face was expected"},
       {"in.ply", off(small), "line 1: ply was expected, not 'OFF'"},
   });
 }
@@ -143,6 +148,8 @@ TEST_CASE("a defect of an STL file is named with its line or its facet")
       {"in.stl", "solid x\n" + facet.substr(0, 45), "it is incomplete: it ends in facet 0"},
       {"in.stl", solid + facet.substr(0, 45), "it is incomplete: it ends in facet 1"},
       {"in.stl", solid, "it is incomplete: it ends without endsolid after 1 facet"},
+      {"in.stl", solid + "endsolid x\nsol", "it is incomplete: it ends in the word solid"},
+      {"in.stl", solid + "endsolid x\n" + facet, "line 10: solid was expected, not 'facet'"},
       {"in.stl", "solid x\nfacet abnormal 0 0 1\n", "line 2: normal or outer loop was expected, not 'abnormal'"},
       {"in.stl", "solid x\nfacet normal 0 0 1 2\n", "line 2: normal or outer loop was expected, not '2'"},
       {"in.stl", solid + "vertex 0 0 0\n", "line 9: facet or endsolid was expected, not 'vertex'"},

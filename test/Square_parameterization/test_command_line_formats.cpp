@@ -194,12 +194,14 @@ TEST_CASE("STL files are read in any case and with any name, binary ones also wh
 {
   const std::string text = stl(small);
   for(const std::string& variant :
-      {uppercase(text), replaced(text, "sheet", "my facet"), replaced(text, "solid sheet", "solid"),
-       replaced(text, "\n", " "), replaced(text, "normal 0 0 0", "normal nan nan nan"),
-       replaced(text, "normal 0 0 0", "normal -1.#IND 1.#QNAN 0"), replaced(text, "normal 0 0 0", "normal"),
-       replaced(text, " normal 0 0 0", ""), "  " + text, text + text.substr(0, 12) + "endsolid\n"})
+      {uppercase(text), replaced(text, "sheet", "my facet"), replaced(text, "sheet", "facet normal x"),
+       replaced(text, "solid sheet", "solid"), replaced(text, "\n", " "),
+       replaced(text, "normal 0 0 0", "normal nan nan nan"), replaced(text, "normal 0 0 0", "normal -1.#IND 1.#QNAN 0"),
+       replaced(text, "normal 0 0 0", "normal"), replaced(text, " normal 0 0 0", ""), "  " + text,
+       text + text.substr(0, 12) + "endsolid\n"})
     check_sheet("in.stl", variant);
   std::string binary = binary_stl(small);
   check_sheet("in.stl", binary.replace(0, 12, "solid facet "));
+  check_sheet("in.stl", binary.replace(0, 3, "\xEF\xBB\xBF"));
   check_sheet("in.stl", binary_stl(small) + "after the last facet");
 }

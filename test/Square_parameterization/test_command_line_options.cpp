@@ -199,6 +199,9 @@ TEST_CASE("an output that is the input or another output is refused")
   check_refusal(folder, {folder / "link.off", "-o", input}, BAD_COMMAND_LINE, "same file");
   check_refusal(folder, {input, "-o", folder / "map.obj", "--json", folder / "./map.obj"}, BAD_COMMAND_LINE,
                 "same file");
+  const std::string too_long(256, 'x'); // of such names nothing is known, but two of them differ
+  check_refusal(folder, {input, "-o", folder / (too_long + ".obj"), "--json", folder / (too_long + ".json")},
+                BAD_COMMAND_LINE, "the name is too long");
   const auto from_input = [&] { REQUIRE(freopen(input.c_str(), "r", stdin) != nullptr); };
   const Finished_process from_stream = square_map({"-", "-o", input}, "", from_input);
   CHECK(from_stream.status == BAD_COMMAND_LINE);

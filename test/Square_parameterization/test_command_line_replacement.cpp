@@ -85,10 +85,13 @@ TEST_CASE("the mode and the owner of an existing file are kept")
       CHECK(status.st_gid == 54321);
     }
   }
-  const mode_t mask = umask(027);
-  CHECK(square_map({input, "-q", "-o", folder / "new.obj"}).status == DONE);
-  umask(mask);
-  CHECK(mode_of(folder / "new.obj") == 0640);
+  for(const mode_t mask : {027, 0222}) { // of the second one who opens the file once more has no right to write
+    const mode_t before = umask(mask);
+    CHECK(square_map({input, "-q", "-o", folder / "new.obj"}).status == DONE);
+    umask(before);
+    CHECK(mode_of(folder / "new.obj") == (0666 & ~mask));
+    std::filesystem::remove(folder / "new.obj");
+  }
 }
 
 TEST_CASE("two outputs that are one file are refused, however they are spelled")

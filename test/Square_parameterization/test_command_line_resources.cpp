@@ -36,6 +36,7 @@ TEST_CASE("a run with more threads than there is room for makes the map with tho
   };
   const std::string expected = map_with({"--threads", "1"}, [] {});
   CHECK(map_with({"--threads", "500"}, limited(RLIMIT_AS, 170 << 20)) == expected);
+  CHECK(map_with({"--threads", "16"}, limited(RLIMIT_DATA, 60 << 20)) == expected);
   for(const char* from : {"0", "1", "3"})
     CHECK(map_with({"--threads", "8"}, [from] {
             setenv("LD_PRELOAD", FAILING_RESOURCES, 1);

@@ -72,7 +72,7 @@ TEST_CASE("a signal ends a run at once, and nothing is written")
       const Finished_process result = run.end();
       INFO(name << ' ' << threads);
       CHECK(result.status == 128 + signal);
-      CHECK(is_one_message(result.err, name + "; nothing was written"));
+      CHECK(is_one_message(result.err, name + "; no file was replaced"));
       CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
     }
 }

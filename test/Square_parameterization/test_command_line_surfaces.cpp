@@ -232,6 +232,13 @@ TEST_CASE("seams that make no sense are refused")
   check_refusal_of_input(input, BAD_FILE, "vertex 35", seams("0 35\n"));
   check_refusal_of_input(input, BAD_FILE, "line 1", seams("0 1 2\n"));
   check_refusal_of_input(input, UNMAPPABLE, "not an edge", seams("0 34\n"));
+  Soup shifted = small; // an isolated vertex comes first, and is dropped
+  shifted.points.insert(shifted.points.begin(), {9, 9, 9});
+  for(Face& face : shifted.faces)
+    for(auto& v : face)
+      ++v;
+  check_refusal_of_input(folder.add("shifted.off", off(shifted)), UNMAPPABLE,
+                         "line 2: the seam from vertex 1 to vertex 35 is not an edge", seams("1 2\n1 35\n"));
   check_refusal_of_input(input, BAD_FILE, "cannot read", {"--seams", folder / "missing.txt"});
 }
 

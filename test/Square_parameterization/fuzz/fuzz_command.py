@@ -167,7 +167,7 @@ class Run:
             problems.append('done, but there is no map')
         if status != DONE and not is_old and len(self.sent) < 2:
             problems.append('exit status %d, but outputs are written' % status)
-        if 'nothing was written' in messages and not is_old:
+        if 'no file was replaced' in messages and not is_old:
             problems.append('something was written')
         if 'Sanitizer' in messages or 'runtime error' in messages:
             problems.append('a sanitizer complains')

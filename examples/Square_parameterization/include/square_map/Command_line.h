@@ -89,11 +89,13 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   if(fs::is_character_file(path_a, error)) // a terminal, or /dev/null: several may write there
     return false;
   const auto full_path = [&error](const fs::path& path) {
-    const fs::path absolute = fs::absolute(path, error); // none when the working folder is gone
+    fs::path absolute = fs::absolute(path, error); // none when the working folder is gone
     throw_if_out_of_memory(error);
-    fs::path result = error ? path.lexically_normal() : fs::weakly_canonical(absolute, error);
-    throw_if_out_of_memory(error); // two paths that are not known are not the same
-    return result;
+    if(error)
+      return path.lexically_normal();
+    fs::path canonical = fs::weakly_canonical(absolute, error); // none where a closed folder is on the way
+    throw_if_out_of_memory(error);
+    return error ? absolute.lexically_normal() : canonical;
   };
   return full_path(path_a) == full_path(path_b) || fs::equivalent(path_a, path_b, error);
 }

@@ -76,8 +76,12 @@ public:
       return;
     struct stat former = {};
     const bool has_former = stat(m_target.path.c_str(), &former) == 0;
+    if(has_former && S_ISDIR(former.st_mode)) // it has come in the meantime
+      fail(EISDIR);
     if(has_former)
       take_over_mode(former);
+    else
+      take_usual_mode();
     if(has_former && keeps_former)
       keep_former();
     if(rename(m_temporary.c_str(), m_target.path.c_str()) != 0)
@@ -107,6 +111,8 @@ public:
   }
 
 private:
+  static constexpr mode_t PRIVATE = 0600; // until the text takes its place, which others may not be allowed to read
+
   [[noreturn]] void fail(int error) const { throw Output_error(m_name, reason_of(error)); }
 
   /// a name in the folder of the target that no other process uses; short, for that of the target may be as long as
@@ -123,8 +129,9 @@ private:
     for(int number = 0;; ++number) {
       m_temporary = name_beside(number, ".part");
       m_place = temporary_files.add(m_temporary); // first: a signal may come at any time
-      const int descriptor = open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      const int descriptor = open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, PRIVATE);
       if(descriptor >= 0) {
+        fchmod(descriptor, PRIVATE); // what the mask took away: it is opened once more
         close(descriptor);
         return;
       }
@@ -151,6 +158,14 @@ private:
     if(chown(m_temporary.c_str(), former.st_uid, former.st_gid) != 0) [[maybe_unused]]
       const int group = chown(m_temporary.c_str(), static_cast<uid_t>(-1), former.st_gid);
     chmod(m_temporary.c_str(), former.st_mode & 07777);
+  }
+
+  /// that of any new file
+  void take_usual_mode() const
+  {
+    const mode_t mask = umask(0);
+    umask(mask);
+    chmod(m_temporary.c_str(), 0666 & ~mask);
   }
 
   void keep_former()

@@ -93,6 +93,15 @@ struct Output_target
   bool is_direct;             ///< no regular file of its own (a device, a pipe, an open file): written in place
 };
 
+/// indicates whether a file must stay: in a folder as /tmp those of others cannot be replaced
+inline bool is_kept_by_sticky_folder(const struct stat& file, const std::filesystem::path& folder)
+{
+  struct stat status = {};
+  const uid_t user = geteuid();
+  return user != 0 && user != file.st_uid && stat(folder.c_str(), &status) == 0 && (status.st_mode & S_ISVTX) != 0 &&
+         user != status.st_uid;
+}
+
 /// what the name of an output stands for. Throws `Output_error` where that cannot be written.
 inline Output_target find_output_target(const std::string& name)
 {
@@ -111,6 +120,8 @@ inline Output_target find_output_target(const std::string& name)
     fs::path path = fs::canonical(name, error);
     if(error)
       throw Output_error(name, reason_of(error.value()));
+    if(is_kept_by_sticky_folder(status, path.parent_path()))
+      throw Output_error(name, "it is another user's, in a folder where it cannot be replaced");
     return {std::move(path), false};
   }
   if(errno != ENOENT)

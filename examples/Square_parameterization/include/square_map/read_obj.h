@@ -83,6 +83,9 @@ private:
     const auto found = unused_obj_lines().find(keyword);
     if(found != unused_obj_lines().end())
       return found->second;
+    if(keyword.size() > 1 && (keyword[0] == 'v' || keyword[0] == 'f') &&
+       keyword.find_first_not_of("0123456789+-./", 1) == std::string_view::npos)
+      m_scanner.refuse(keyword, "a blank after v or f");
     if(m_unknown_kind.empty())
       m_unknown_kind = "lines of unknown kinds, the first of them " + m_scanner.line_name();
     return m_unknown_kind;

@@ -186,7 +186,8 @@ inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text, Vertex_c
   };
   if(!has("vertex"))
     throw Malformed_file("it has no element vertex");
-  if(!has("face") && has("tristrips"))
+  const auto has_strips = [](const Ply_element& element) { return element.name == "tristrips" && element.count > 0; };
+  if(std::any_of(header.elements.begin(), header.elements.end(), has_strips))
     throw Malformed_file("it has triangle strips, which are not read; an element face was expected");
   return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header, colors)
                          : read_ply_data(Ply_bytes(text, header), header, colors);

@@ -26,14 +26,22 @@ inline std::size_t conditioned_vertex(std::size_t v, const CGAL_ext::internal::C
                                            : CGAL_ext::internal::Conditioning_report::DROPPED;
 }
 
-/// reads seams: two vertex numbers a line, as vertices of the conditioned soup; # begins a comment
-inline std::vector<std::array<std::size_t, 2>> parse_seams(std::string_view text,
-                                                           const CGAL_ext::internal::Conditioning_report& conditioning)
+/// an edge to cut along
+struct File_seam
 {
-  std::vector<std::array<std::size_t, 2>> seams;
+  std::array<std::size_t, 2> ends; ///< vertices of the conditioned soup
+  std::string place;               ///< the line of the file, and the vertices that it names
+};
+
+/// reads seams: two vertex numbers a line; # begins a comment
+inline std::vector<File_seam> parse_seams(std::string_view text,
+                                          const CGAL_ext::internal::Conditioning_report& conditioning)
+{
+  std::vector<File_seam> seams;
   for(Text_scanner scanner(text, '#'); scanner.find_word();) {
-    std::array<std::size_t, 2>& seam = seams.emplace_back();
-    for(std::size_t& end : seam) {
+    File_seam& seam = seams.emplace_back();
+    seam.place = scanner.line_name() + ": the seam from vertex ";
+    for(std::size_t& end : seam.ends) {
       const std::string_view word = scanner.next_word();
       const auto number = parse_integer<std::int64_t>(word);
       if(!number)
@@ -42,6 +50,7 @@ inline std::vector<std::array<std::size_t, 2>> parse_seams(std::string_view text
       if(end == CGAL_ext::internal::Conditioning_report::DROPPED)
         throw Malformed_file(scanner.line_name() + " names vertex " + std::to_string(*number) +
                              ", which no mapped face has");
+      seam.place += (&end == &seam.ends[0] ? "" : " to vertex ") + std::to_string(*number);
     }
     if(!scanner.is_line_end())
       throw Malformed_file(scanner.line_name() + " is not two vertex numbers");
@@ -50,8 +59,8 @@ inline std::vector<std::array<std::size_t, 2>> parse_seams(std::string_view text
 }
 
 /// reads the seams of a file, not of a pipe: nobody may write to it; nor of standard input, which may be the surface
-inline std::vector<std::array<std::size_t, 2>> read_seams(const std::string& path,
-                                                          const CGAL_ext::internal::Conditioning_report& conditioning)
+inline std::vector<File_seam> read_seams(const std::string& path,
+                                         const CGAL_ext::internal::Conditioning_report& conditioning)
 {
   std::string text;
   try {

@@ -137,7 +137,7 @@ public:
         read_facet();
       }
       m_scanner.skip_line();
-    } while(boost::iequals(m_scanner.next_word_anywhere(), "solid"));
+    } while(begins_solid());
     return std::move(m_facets.soup());
   }
 
@@ -153,6 +153,19 @@ private:
     return word;
   }
 
+  /// after a solid, reads the word with which another one begins; false when there is none
+  bool begins_solid()
+  {
+    const std::string_view word = m_scanner.next_word_anywhere();
+    if(boost::iequals(word, "facet"))
+      m_scanner.refuse(word, "solid");
+    const std::string_view keyword = "solid";
+    if(!word.empty() && word.size() < keyword.size() && m_scanner.bytes_left() == 0 &&
+       boost::istarts_with(keyword, word))
+      throw Malformed_file("it is incomplete: it ends in the word solid");
+    return boost::iequals(word, keyword);
+  }
+
   void expect(const std::string& keyword)
   {
     const std::string_view word = next();
@@ -160,12 +173,13 @@ private:
       m_scanner.refuse(word, keyword);
   }
 
-  /// passes over the name of a solid: the rest of the line, or what is before the words facet normal on it
+  /// passes over the name of a solid: the rest of the line, or what is before the words facet normal and a number on it
   void skip_name()
   {
     while(!m_scanner.is_line_end()) {
       const std::size_t place = m_scanner.place();
-      if(boost::iequals(m_scanner.next_word(), "facet") && boost::iequals(m_scanner.next_word(), "normal")) {
+      if(boost::iequals(m_scanner.next_word(), "facet") && boost::iequals(m_scanner.next_word(), "normal") &&
+         parse_real(m_scanner.next_word())) {
         m_scanner.go_back(place);
         return;
       }

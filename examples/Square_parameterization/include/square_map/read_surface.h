@@ -69,7 +69,8 @@ inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const
   std::string reader, hint; // in messages
   try {
     const File_bytes file = read_bytes(path);
-    const std::string_view text = without_byte_order_mark(file.bytes);
+    const std::string_view text =
+        has_size_of_binary_stl(file.bytes) ? std::string_view(file.bytes) : without_byte_order_mark(file.bytes);
     const File_format format =
         format_name.empty() ? format_of(path, file.is_stream, text) : file_formats().at(format_name);
     if(text.empty())
@@ -175,17 +176,15 @@ inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
   return mesh;
 }
 
-/// the edges of the mesh between pairs of vertices. Throws `Unmappable` where there is none.
-inline std::vector<Mesh::Edge_index> edges_between(const std::vector<std::array<std::size_t, 2>>& pairs,
-                                                   const Mesh& mesh)
+/// the edges of the mesh along seams. Throws `Unmappable` where there is none.
+inline std::vector<Mesh::Edge_index> edges_of(const std::vector<File_seam>& seams, const Mesh& mesh)
 {
   std::vector<Mesh::Edge_index> edges;
-  for(const auto& [a, b] : pairs) {
-    const auto h = CGAL_ext::internal::halfedge_between(vertex(a), vertex(b), mesh);
+  for(const auto& [ends, place] : seams) {
+    const auto h = CGAL_ext::internal::halfedge_between(vertex(ends[0]), vertex(ends[1]), mesh);
     if(h == Mesh::null_halfedge())
       throw CGAL_ext::internal::Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                                           "the seam from vertex " + std::to_string(a) + " to vertex " +
-                                               std::to_string(b) + " is not an edge of the surface");
+                                           place + " is not an edge of the surface");
     edges.push_back(mesh.edge(h));
   }
   return edges;

@@ -40,11 +40,11 @@ extern "C" inline void square_map_end_by_signal(int signal)
     return;
   }
   temporary_files.remove_all();
-  const char* const message = signal == SIGINT    ? "square_map: interrupted by SIGINT; nothing was written\n"
-                              : signal == SIGTERM ? "square_map: ended by SIGTERM; nothing was written\n"
-                              : signal == SIGHUP  ? "square_map: ended by SIGHUP; nothing was written\n"
-                              : signal == SIGQUIT ? "square_map: ended by SIGQUIT; nothing was written\n"
-                                                  : "square_map: no processor time is left; nothing was written\n";
+  const char* const message = signal == SIGINT    ? "square_map: interrupted by SIGINT; no file was replaced\n"
+                              : signal == SIGTERM ? "square_map: ended by SIGTERM; no file was replaced\n"
+                              : signal == SIGHUP  ? "square_map: ended by SIGHUP; no file was replaced\n"
+                              : signal == SIGQUIT ? "square_map: ended by SIGQUIT; no file was replaced\n"
+                                                  : "square_map: no processor time is left; no file was replaced\n";
   if(phase == Run_phase::WORKING) [[maybe_unused]]
     const auto written = write(STDERR_FILENO, message, std::strlen(message));
   _exit(128 + signal);

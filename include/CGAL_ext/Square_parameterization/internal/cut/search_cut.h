@@ -171,12 +171,16 @@ private:
     return pool.selection(m_weight);
   }
 
-  /// the same; where the best of them still leaves much stretch they grow for longer, if the surface is small
+  /// the same; where the best of them still leaves much stretch they grow for longer, on a surface so small that it may be for
+  /// twice as long at least
   std::vector<Cut> grow_family_for_long(const Triangle_surface& surface, const std::vector<Cut>& starts)
   {
     Cut_pool pool = grown_pool(surface, starts);
-    if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()))
-      grow(pool, (std::min)(numbers().times_growth_work * work_of_growth(surface), numbers().long_growth_work));
+    const long work = work_of_growth(surface),
+               long_work = (std::min)(numbers().times_growth_work * work, numbers().long_growth_work);
+    if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()) &&
+       long_work >= 2 * work)
+      grow(pool, long_work);
     return pool.selection(m_weight);
   }
 

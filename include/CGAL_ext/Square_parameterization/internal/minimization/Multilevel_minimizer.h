@@ -117,8 +117,9 @@ public:
   {
     if(!m_levels.is_large(0)) {
       Balanced_minimizer::Workspace workspace;
-      map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance,
-                                           {m_options.maximum_iterations, most_final_work()}, workspace);
+      const long work = (std::max)(most_final_work() - map.work_of_starts, most_final_work() / 4);
+      map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance, {m_options.maximum_iterations, work},
+                                           workspace);
     }
     m_levels.minimizer(0).settle(map);
     return map;

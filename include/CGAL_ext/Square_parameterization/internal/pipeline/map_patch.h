@@ -84,6 +84,8 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
     }
   }
   best.report.is_cancelled = is_cancelled || has_passed(deadline);
+  if(work > best.work)
+    best.map.work_of_starts = static_cast<long>(work);
   best.work = work;
   return start;
 }

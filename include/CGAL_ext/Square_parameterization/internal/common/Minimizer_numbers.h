@@ -188,8 +188,8 @@ struct Minimizer_numbers
   static constexpr unsigned int SEARCH_ITERATIONS = 60;
 
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
-  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many. Less: maps stretched tens of times are
-  /// left before they are near their minimum.
+  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many. What several starts have cost is taken off, but for a
+  /// quarter. Less: maps stretched tens of times are left before they are near their minimum.
   static constexpr long MOST_FINAL_SWEEPS = 450;
   static constexpr int LEAST_FINAL_VERTICES = 20000;
 

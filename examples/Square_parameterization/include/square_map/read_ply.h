@@ -180,14 +180,14 @@ CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& 
 inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text, Vertex_colors* colors = nullptr)
 {
   const Ply_header header = read_ply_header(text);
-  const auto has = [&header](const char* name) {
-    return std::any_of(header.elements.begin(), header.elements.end(),
-                       [name](const Ply_element& element) { return element.name == name; });
+  const auto has = [&header](const char* name, std::size_t least) {
+    return std::any_of(header.elements.begin(), header.elements.end(), [name, least](const Ply_element& element) {
+      return element.name == name && element.count >= least;
+    });
   };
-  if(!has("vertex"))
+  if(!has("vertex", 0))
     throw Malformed_file("it has no element vertex");
-  const auto has_strips = [](const Ply_element& element) { return element.name == "tristrips" && element.count > 0; };
-  if(std::any_of(header.elements.begin(), header.elements.end(), has_strips))
+  if(has("tristrips", 1))
     throw Malformed_file("it has triangle strips, which are not read; an element face was expected");
   return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header, colors)
                          : read_ply_data(Ply_bytes(text, header), header, colors);

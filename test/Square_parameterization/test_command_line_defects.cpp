@@ -110,6 +110,7 @@ TEST_CASE("a defect of a PLY file is named with its line or its element")
        "line 13: in face 0 a number that its type can hold was expected, not '259'"},
       {"in.ply", ascii_ply(xyz, list, ply_points + half_facet), "it is incomplete: it ends in face 0"},
       {"in.ply", ascii_ply(xyz, list, "0 0 0\n"), "it is incomplete: it ends in vertex 1"},
+      {"in.ply", replaced(ascii_ply(xyz, list, ply_points + "3 0 1 2x\n"), "\n", "\r"), "line 13: in face 0 a whole"},
       {"in.ply", ascii_ply(xyz, "property list char int vertex_indices\n", ply_points + "-3 0 1 2\n"),
        "line 13: face 0 has a list 'vertex_indices' whose number"},
       {"in.ply", ascii_ply(xyz, "property list uchar float vertex_indices\n", ply_points + "3 0 1 1.5\n"),

@@ -77,8 +77,8 @@ TEST_CASE("PLY files are read with lists of any types of integers, in text and i
 
 TEST_CASE("PLY files are read with integer coordinates, and with elements and properties that are not needed")
 {
-  const std::string head =
-      "ply\nformat ascii 1.0\nelement camera 1\nproperty list uchar float view\nelement vertex 4\n";
+  const std::string head = "ply\nformat ascii 1.0\nelement nothing 9000000000\nelement camera 1\nproperty list uchar "
+                           "float view\nelement vertex 4\n";
   const std::string text = head +
                            "property uchar red\nproperty short z\nproperty int y\nproperty list uchar int near\n"
                            "property uchar x\nelement face 2\nproperty list int float weights\n"
@@ -142,6 +142,20 @@ TEST_CASE("what an OBJ file has beside points and faces is passed over and said"
   const Finished_process quiet = square_map({folder.add("in.obj", obj(small) + "l 1 2\n"), "--quiet"});
   CHECK(quiet.status == DONE);
   CHECK(quiet.err == "");
+}
+
+TEST_CASE("what follows the last element that a header gives is passed over and said")
+{
+  const auto check_passed_over = [](const std::string& name, const std::string& text, const std::string& things,
+                                    int count) {
+    const Mapped mapped = check_sheet(name, text);
+    CHECK(mapped.report["input"]["passed_over"] == nlohmann::json{{things + ", the last by its header", count}});
+    CHECK(mapped.messages.find(things) != std::string::npos);
+  };
+  check_passed_over("in.off", off(small) + "\n# one more, and words\n3 0 1 2\nand words\n", "lines after face 47", 2);
+  check_passed_over("in.ply", ply(small) + "3 0 1 2\n", "lines after face 47", 1);
+  check_passed_over("in.ply", binary_ply(small) + "12345", "bytes after face 47", 5);
+  check_passed_over("in.stl", binary_stl(small) + std::string(100, ' '), "bytes after facet 47", 100);
 }
 
 TEST_CASE("OFF files are read in text and binary, with and without what they say beside the surface")

@@ -13,6 +13,16 @@ namespace square_map {
 /// what of a file was not used: how many of which things, in words such as "texture coordinates"
 typedef std::map<std::string, std::size_t> Passed_over;
 
+/// adds what follows after the last element, "face 7" for example, that the header of a file gives: readers of all kinds
+/// leave it, and so do we, but not in silence
+/// \param things "lines" or "bytes"
+inline void pass_over_rest(const std::string& things, std::size_t count, const std::string& last,
+                           Passed_over& passed_over)
+{
+  if(count > 0)
+    passed_over[things + " after " + last + ", the last by its header"] = count;
+}
+
 /// "texture coordinates (8), groups (1)"
 inline std::string listed(const Passed_over& passed_over)
 {

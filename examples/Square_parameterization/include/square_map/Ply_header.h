@@ -107,7 +107,7 @@ inline void read_ply_format(Text_scanner& scanner, Ply_header& header)
     scanner.refuse(version, "version 1.0");
 }
 
-/// refuses elements without properties, and two of one name where it matters which is meant
+/// refuses two elements or properties of one name where it matters which is meant
 inline void check_ply_header(const Ply_header& header)
 {
   const auto refuse_repeated = [](const auto& all, const std::string& thing) {
@@ -116,12 +116,9 @@ inline void check_ply_header(const Ply_header& header)
         throw Malformed_file("its header has two " + thing + " of the name " + in_quotes(a->name));
   };
   refuse_repeated(header.elements, "elements");
-  for(const Ply_element& element : header.elements) {
-    if(element.properties.empty())
-      throw Malformed_file("its element " + in_quotes(element.name) + " has no properties");
+  for(const Ply_element& element : header.elements)
     if(element.name == "vertex" || element.name == "face")
       refuse_repeated(element.properties, "properties");
-  }
 }
 
 /// reads the header of a PLY file, line by line

@@ -5,6 +5,7 @@
 #define SQUARE_MAP_PLY_VALUES_H
 
 #include "Byte_scanner.h"
+#include "Passed_over.h"
 #include "Ply_header.h"
 
 #include <cstddef>
@@ -44,6 +45,12 @@ public:
   {
     if(!m_scanner.is_line_end())
       m_scanner.refuse(m_scanner.next_word(), "the end of " + element + ' ' + std::to_string(index));
+  }
+
+  /// passes over what is left
+  void skip_rest(const std::string& last_element, Passed_over& passed_over)
+  {
+    pass_over_rest("lines", m_scanner.skip_lines(), last_element, passed_over);
   }
 
   std::size_t bytes_left() const { return m_scanner.bytes_left(); }
@@ -123,6 +130,11 @@ public:
   }
 
   void end_element(const std::string&, std::size_t) {}
+
+  void skip_rest(const std::string& last_element, Passed_over& passed_over)
+  {
+    pass_over_rest("bytes", m_scanner.bytes_left(), last_element, passed_over);
+  }
 
   std::size_t bytes_left() const { return m_scanner.bytes_left(); }
 

@@ -7,7 +7,6 @@
 #include "Malformed_file.h"
 #include "parse_number.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -72,6 +71,15 @@ public:
       next_word();
   }
 
+  /// passes over the rest of the text: how many lines with words there are
+  std::size_t skip_lines()
+  {
+    std::size_t lines = 0;
+    for(; find_word(); skip_line())
+      ++lines;
+    return lines;
+  }
+
   std::size_t place() const { return m_place; }
 
   /// goes back to a place that `place()` gave, on the same line
@@ -80,9 +88,9 @@ public:
   /// goes forward to a place
   void go_to(std::size_t place)
   {
-    const auto begin = m_text.begin() + static_cast<std::ptrdiff_t>(m_place);
-    m_line += static_cast<std::size_t>(std::count(begin, m_text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
-    m_place = place;
+    for(; m_place < place; ++m_place)
+      if(is_line_break())
+        ++m_line;
   }
 
   /// indicates whether nothing but blanks lies between a place and the line end before it

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
 #include "Byte_scanner.h"
+#include "Passed_over.h"
 #include "Vertex_colors.h"
 
 #include <algorithm>
@@ -120,7 +121,8 @@ inline std::vector<std::size_t> next_binary_off_face(Byte_scanner& scanner, std:
 
 /// reads the vertices and faces of a binary OFF file: big-endian numbers of four bytes
 inline CGAL_ext::internal::Surface_soup read_binary_off(Byte_scanner scanner, const Off_header& header,
-                                                        const Off_colors& colors, Vertex_colors* vertex_colors)
+                                                        const Off_colors& colors, Passed_over& passed_over,
+                                                        Vertex_colors* vertex_colors)
 {
   CGAL_ext::internal::Surface_soup soup;
   if(vertex_colors != nullptr)
@@ -131,6 +133,8 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(Byte_scanner scanner, co
     soup.faces.push_back(next_binary_off_face(scanner, f, header, colors));
   if(colors.is_guess && scanner.bytes_left() > 0)
     throw Malformed_file("bytes are left over after the last face");
+  if(header.faces > 0)
+    pass_over_rest("bytes", scanner.bytes_left(), "face " + std::to_string(header.faces - 1), passed_over);
   return soup;
 }
 
@@ -138,6 +142,7 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(Byte_scanner scanner, co
 /// number of color components after each face; where that makes no sense, the forms that other programs write are
 /// tried: three components, and no number.
 inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, Off_header header,
+                                                        Passed_over& passed_over,
                                                         Vertex_colors* vertex_colors = nullptr)
 {
   Byte_scanner scanner(bytes, boost::endian::order::big);
@@ -153,7 +158,7 @@ inline CGAL_ext::internal::Surface_soup read_binary_off(std::string_view bytes, 
   for(const Off_colors& colors :
       {Off_colors{4, true, false}, Off_colors{3, true, true}, Off_colors{4, false, true}, Off_colors{3, false, true}})
     try {
-      return read_binary_off(scanner, header, colors, vertex_colors);
+      return read_binary_off(scanner, header, colors, passed_over, vertex_colors);
     } catch(const Malformed_file& error) {
       if(!first_error)
         first_error = error;

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
+#include "Passed_over.h"
 #include "Text_scanner.h"
 #include "read_binary_off.h"
 
@@ -118,9 +119,11 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
 }
 
 /// reads an OFF file: text or binary, with any of the letters for texture coordinates, colors, normals, homogeneous
-/// coordinates and a dimension before its keyword. What follows the last face is passed over.
+/// coordinates and a dimension before its keyword. What follows the last face is
+/// added to \p passed_over.
 /// \param colors receives the colors of the vertices, unless it is null
-inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Vertex_colors* colors = nullptr)
+inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Passed_over& passed_over,
+                                                 Vertex_colors* colors = nullptr)
 {
   Text_scanner scanner(text, '#');
   const std::string_view keyword = scanner.next_word_anywhere();
@@ -130,13 +133,16 @@ inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Vertex_c
   if(scanner.find_word()) {
     const std::size_t place = scanner.place();
     if(scanner.next_word() == "BINARY" && !header->has_colors_first)
-      return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), *header, colors);
+      return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), *header, passed_over,
+                             colors);
     scanner.go_back(place);
   }
   CGAL_ext::internal::Surface_soup soup;
   read_off_counts(scanner, *header);
   read_off_points(scanner, *header, soup, colors);
   read_off_faces(scanner, *header, soup);
+  if(header->faces > 0)
+    pass_over_rest("lines", scanner.skip_lines(), "face " + std::to_string(header->faces - 1), passed_over);
   return soup;
 }
 

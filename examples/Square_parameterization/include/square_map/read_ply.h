@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
+#include "Passed_over.h"
 #include "Ply_values.h"
 #include "Vertex_colors.h"
 
@@ -147,9 +148,11 @@ void read_ply_faces(Values& values, const Ply_element& element, std::size_t vert
   }
 }
 
-/// reads the data of a PLY file up to the last element that is needed; what follows is passed over
+/// reads the data of a PLY file up to the last element that is needed. What follows the last one of the header is added to
+/// \p passed_over.
 template <class Values>
-CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& header, Vertex_colors* colors)
+CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& header, Passed_over& passed_over,
+                                               Vertex_colors* colors)
 {
   CGAL_ext::internal::Surface_soup soup;
   const std::size_t vertices = std::find_if(header.elements.begin(), header.elements.end(), [](const auto& element) {
@@ -158,26 +161,29 @@ CGAL_ext::internal::Surface_soup read_ply_data(Values values, const Ply_header& 
   bool has_vertices = false, has_faces = false;
   for(const Ply_element& element : header.elements) {
     if(has_vertices && has_faces)
-      break;
+      return soup;
     if(element.name == "vertex") {
       read_ply_points(values, element, soup, colors);
       has_vertices = true;
     } else if(element.name == "face") {
       read_ply_faces(values, element, vertices, soup);
       has_faces = true;
-    } else
+    } else if(!element.properties.empty()) // else there is nothing of it
       for(std::size_t i = 0; i < element.count; ++i) {
         for(const Ply_property& property : element.properties)
           skip_ply_property(values, property, element.name, i);
         values.end_element(element.name, i);
       }
   }
+  if(const Ply_element& last = header.elements.back(); last.count > 0)
+    values.skip_rest(last.name + ' ' + std::to_string(last.count - 1), passed_over);
   return soup;
 }
 
 /// reads a PLY file: text or binary, with numbers of any type
 /// \param colors receives the colors of the vertices, unless it is null
-inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text, Vertex_colors* colors = nullptr)
+inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text, Passed_over& passed_over,
+                                                 Vertex_colors* colors = nullptr)
 {
   const Ply_header header = read_ply_header(text);
   const auto has = [&header](const char* name, std::size_t least) {
@@ -189,8 +195,8 @@ inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text, Vertex_c
     throw Malformed_file("it has no element vertex");
   if(has("tristrips", 1))
     throw Malformed_file("it has triangle strips, which are not read; an element face was expected");
-  return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header, colors)
-                         : read_ply_data(Ply_bytes(text, header), header, colors);
+  return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header, passed_over, colors)
+                         : read_ply_data(Ply_bytes(text, header), header, passed_over, colors);
 }
 
 } // namespace square_map

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
 
 #include "Byte_scanner.h"
+#include "Passed_over.h"
 #include "Text_scanner.h"
 
 #include <boost/algorithm/string/predicate.hpp>
@@ -97,8 +98,8 @@ inline bool has_size_of_binary_stl(std::string_view bytes)
          bytes.size() == STL_HEADER_BYTES + STL_FACET_BYTES * binary_stl_size(bytes);
 }
 
-/// reads a binary STL file: little-endian. Bytes after the last facet are passed over.
-inline CGAL_ext::internal::Surface_soup read_binary_stl(std::string_view bytes)
+/// reads a binary STL file: little-endian. What follows the last facet is added to \p passed_over.
+inline CGAL_ext::internal::Surface_soup read_binary_stl(std::string_view bytes, Passed_over& passed_over)
 {
   const std::size_t facets = binary_stl_size(bytes);
   Byte_scanner scanner(bytes.substr(STL_HEADER_BYTES), boost::endian::order::little);
@@ -115,6 +116,8 @@ inline CGAL_ext::internal::Surface_soup read_binary_stl(std::string_view bytes)
     scanner.skip(sizeof(std::uint16_t), "facet", f);
     result.add(corners);
   }
+  if(facets > 0)
+    pass_over_rest("bytes", scanner.bytes_left(), "facet " + std::to_string(facets - 1), passed_over);
   return std::move(result.soup());
 }
 
@@ -235,7 +238,7 @@ inline bool begins_with_solid(std::string_view text)
 }
 
 /// reads an STL file. A binary one may begin with the word solid, too: its size tells, or a byte that no text has.
-inline CGAL_ext::internal::Surface_soup read_stl(std::string_view bytes)
+inline CGAL_ext::internal::Surface_soup read_stl(std::string_view bytes, Passed_over& passed_over)
 {
   const bool is_text = begins_with_solid(bytes) && !has_size_of_binary_stl(bytes) &&
                        bytes.substr(0, STL_HEADER_BYTES).find('\0') == std::string_view::npos;
@@ -243,7 +246,7 @@ inline CGAL_ext::internal::Surface_soup read_stl(std::string_view bytes)
     return Ascii_stl_reader(bytes).read();
   if(bytes.size() < STL_HEADER_BYTES)
     throw Malformed_file("it neither begins with the word solid nor has the 84 bytes of a binary header");
-  return read_binary_stl(bytes);
+  return read_binary_stl(bytes, passed_over);
 }
 
 } // namespace square_map

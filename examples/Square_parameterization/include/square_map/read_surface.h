@@ -41,13 +41,13 @@ inline CGAL_ext::internal::Surface_soup parse_soup(std::string_view text, File_f
   const Memory_limit limit(MEMORY_TO_START_READING + MEMORY_PER_BYTE * text.size());
   switch(format) {
   case File_format::OFF:
-    return read_off(text, colors);
+    return read_off(text, passed_over, colors);
   case File_format::OBJ:
     return read_obj(text, passed_over, colors);
   case File_format::PLY:
-    return read_ply(text, colors);
+    return read_ply(text, passed_over, colors);
   default:
-    return read_stl(text);
+    return read_stl(text, passed_over);
   }
 }
 

@@ -29,9 +29,14 @@ inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& s
                                                        const Cut_numbers& numbers = {}, const Deadline& deadline = {})
 {
   faces += numbers.faces_per_loop * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
-  if(surface.number_of_faces() <= numbers.least_reduction * faces)
+  const auto is_hardly_less = [&](int count) { return surface.number_of_faces() <= numbers.least_reduction * count; };
+  if(is_hardly_less(faces))
     return std::nullopt;
-  return decimate_surface(surface, faces, numbers.very_fine, numbers.still_fine, deadline);
+  std::optional<Triangle_surface> copy =
+      decimate_surface(surface, faces, numbers.very_fine, numbers.still_fine, deadline);
+  if(copy && is_hardly_less(copy->number_of_faces())) // the topology, or the shape, allows no less
+    copy.reset();
+  return copy;
 }
 
 /// the weights at which cuts are grown, the heaviest first: always the same, so that what is found does not depend on

@@ -119,8 +119,8 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
 }
 
 /// reads an OFF file: text or binary, with any of the letters for texture coordinates, colors, normals, homogeneous
-/// coordinates and a dimension before its keyword. What follows the last face is
-/// added to \p passed_over.
+/// coordinates and a dimension before its keyword. What follows the last face is added to
+/// \p passed_over.
 /// \param colors receives the colors of the vertices, unless it is null
 inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Passed_over& passed_over,
                                                  Vertex_colors* colors = nullptr)

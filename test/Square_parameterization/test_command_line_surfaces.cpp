@@ -280,18 +280,37 @@ TEST_CASE("a flat square of 5000 strips is mapped all but without stretch, as it
   CHECK(check_map(soup).report["best"]["l2"] < 1.2);
 }
 
+/// a polygon whose corners are at the given distances from its center
+Soup star(const std::vector<double>& radii)
+{
+  Soup soup;
+  soup.faces.emplace_back();
+  for(std::size_t i = 0; i < radii.size(); ++i) {
+    const double angle = 2 * 3.14159265358979 * double(i) / double(radii.size());
+    soup.points.push_back({radii[i] * std::cos(angle), radii[i] * std::sin(angle), 0});
+    soup.faces[0].push_back(static_cast<long>(i));
+  }
+  return soup;
+}
+
 TEST_CASE("of a star of 5000 corners, whose maps cost much, one is made, and its corners stay")
 {
-  Soup star;
-  star.faces.emplace_back();
-  for(int i = 0; i < 5000; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / 5000, radius = 0.5 + 0.5 * ((i * 7919) % 5003) / 5003;
-    star.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
-    star.faces[0].push_back(i);
-  }
-  const Mapped mapped = check_map(star, {"--triangulate"});
+  std::vector<double> radii;
+  for(int i = 0; i < 5000; ++i)
+    radii.push_back(0.5 + 0.5 * ((i * 7919) % 5003) / 5003);
+  const Mapped mapped = check_map(star(radii), {"--triangulate"});
   CHECK(mapped.report["evaluations"] == 1);
   CHECK(mapped.report["corner_moves"] == 1); // the one that tells what they cost
+}
+
+TEST_CASE(
+    "when the first map of a star of 3000 spikes has cost too much and is lost, the start that costs least is tried")
+{
+  std::vector<double> radii;
+  for(int i = 0; i < 6000; ++i)
+    radii.push_back(i % 2 == 0 ? 0.1 : 1);
+  const Mapped mapped = check_map(star(radii), {"--triangulate"});
+  CHECK(mapped.report["start"] == "fixed border first");
 }
 
 TEST_CASE("a map that did not begin as usual says how it began")

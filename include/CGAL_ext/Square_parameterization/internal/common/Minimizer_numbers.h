@@ -183,13 +183,17 @@ struct Minimizer_numbers
   static constexpr double SMALL_REFINEMENT = 1.2;
   static constexpr int LEAST_REFINED = 1000;
 
+  /// the same once a map has cost as much as that which is delivered may (`MOST_FINAL_SWEEPS`), and is hopeless: polygons
+  /// with thousands of spikes take seconds for a map that is stretched thousands of times, or tens of thousands
+  static constexpr unsigned int ITERATIONS_OF_LOST_MAP = 10;
+
   /// steps on the mesh itself at most while candidates for the corners are compared: a bound on the time. Fewer: maps
   /// stretched tens of times are compared before they are comparable.
   static constexpr unsigned int SEARCH_ITERATIONS = 60;
 
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
-  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many. What several starts have cost is taken off, but for a
-  /// quarter. Less: maps stretched tens of times are left before they are near their minimum.
+  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many. What several starts have cost, or one that is hopeless, is
+  /// taken off, but for a quarter. Less: maps stretched tens of times are left before they are near their minimum.
   static constexpr long MOST_FINAL_SWEEPS = 450;
   static constexpr int LEAST_FINAL_VERTICES = 20000;
 

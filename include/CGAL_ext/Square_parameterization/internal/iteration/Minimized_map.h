@@ -18,7 +18,8 @@ struct Minimized_map
   Uv_coordinates warm_start; ///< from which a similar border may be mapped; empty when the minimizer has none
   double aspect = 1;         ///< width over height of the rectangle that the map is measured on
   long work = 0;             ///< what it cost, in vertices visited by sweeps; a step over the mesh counts for several
-  long work_of_starts = 0;   ///< the same of all starts, where several were tried: the last steps may cost less then
+  long work_of_starts = 0;   ///< the same of all starts, where it is hopeless or several were tried: the last steps may
+                             ///< cost less then
 };
 
 } // namespace internal

@@ -34,6 +34,9 @@ public:
   /// what it has cost so far, in vertices visited
   long work() const { return m_work; }
 
+  /// indicates whether it has cost much, and has come to a map that is hopeless: few steps are spent on it
+  bool is_lost() const { return m_energy > Minimizer_numbers::HOPELESS && m_work > m_levels.most_final_work(); }
+
   /// the map of the warm level, if that was passed; it is moved out
   Uv_coordinates take_warm_start() { return std::move(m_warm_start); }
 
@@ -73,10 +76,11 @@ public:
                                              {most_iterations(level)}, m_workspace.levels[level]);
       m_workspace.levels[level].end_steps();
       m_work += map.work;
+      m_energy = map.report.objective;
       const bool is_early =
           patches[level].number_of_vertices() < Minimizer_numbers::LARGEST_GIVEN_UP * patches[to].number_of_vertices();
-      if(is_early && map.report.objective > m_largest_energy) {
-        m_given_up.push_back({level, std::move(map.uv), map.report.objective});
+      if(is_early && m_energy > m_largest_energy) {
+        m_given_up.push_back({level, std::move(map.uv), m_energy});
         return Uv_coordinates();
       }
       keep_warm_start(level, map.uv);
@@ -98,6 +102,8 @@ private:
   unsigned int most_iterations(std::size_t level) const
   {
     const Patch_sequence& patches = m_levels.patches();
+    if(is_lost())
+      return Minimizer_numbers::ITERATIONS_OF_LOST_MAP;
     if(m_levels.is_start(level))
       return Minimizer_numbers::COARSE_ITERATIONS;
     const int coarser = patches[level + 1].number_of_vertices();
@@ -145,6 +151,7 @@ private:
   double m_largest_energy = Minimizer_numbers::HOPELESS;
   std::vector<Level_map> m_given_up; // maps whose energy was larger
   Uv_coordinates m_warm_start;       // the map of one of the patches on the way
+  double m_energy = 0;               // of the last map
   long m_work = 0;                   // in vertices visited
 };
 

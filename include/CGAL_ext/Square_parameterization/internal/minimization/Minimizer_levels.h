@@ -111,6 +111,13 @@ public:
     return level + 1 < m_patches.size() && m_patches[level].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED;
   }
 
+  /// what the steps on the map that is delivered may cost, in vertices visited
+  long most_final_work() const
+  {
+    return Minimizer_numbers::MOST_FINAL_SWEEPS *
+           long((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::LEAST_FINAL_VERTICES));
+  }
+
   /// makes room for a new map
   void prepare(Workspace& workspace) const
   {

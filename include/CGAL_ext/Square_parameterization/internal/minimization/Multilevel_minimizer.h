@@ -117,7 +117,7 @@ public:
   {
     if(!m_levels.is_large(0)) {
       Balanced_minimizer::Workspace workspace;
-      const long work = (std::max)(most_final_work() - map.work_of_starts, most_final_work() / 4);
+      const long work = (std::max)(m_levels.most_final_work() - map.work_of_starts, m_levels.most_final_work() / 4);
       map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance, {m_options.maximum_iterations, work},
                                            workspace);
     }
@@ -180,13 +180,6 @@ private:
     return true;
   }
 
-  /// of the steps on the map that is delivered, in vertices visited
-  long most_final_work() const
-  {
-    return Minimizer_numbers::MOST_FINAL_SWEEPS *
-           long((std::max)(patches()[0].number_of_vertices(), Minimizer_numbers::LEAST_FINAL_VERTICES));
-  }
-
   /// what is returned when no way leads to a map: searches count what they have cost, too
   static Minimized_map without_map(const Coarse_to_fine_descent& descent)
   {
@@ -203,11 +196,13 @@ private:
     const long relaxation = minimizer.relax(uv);
     // of a large patch few maps are made, and the coarser ones are at hand now: the first minimization is the last
     const bool is_last = level == 0 && m_levels.is_large(0);
-    const unsigned int most = is_last ? m_options.maximum_iterations
-                                      : (std::min)(m_options.maximum_iterations, Minimizer_numbers::SEARCH_ITERATIONS);
+    const unsigned int most_of_search =
+        descent.is_lost() ? Minimizer_numbers::ITERATIONS_OF_LOST_MAP : Minimizer_numbers::SEARCH_ITERATIONS;
+    const unsigned int most =
+        is_last ? m_options.maximum_iterations : (std::min)(m_options.maximum_iterations, most_of_search);
     Minimized_map map =
         minimizer.minimize({std::move(uv), {}, {}}, is_last ? m_options.tolerance : m_options.search_tolerance,
-                           {most, most_final_work()}, workspace.levels[level]);
+                           {most, m_levels.most_final_work()}, workspace.levels[level]);
     map.work += relaxation + descent.work();
     return map;
   }

@@ -57,7 +57,8 @@ inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_
 }
 
 /// tries the other starts until one is not hopeless; when there is a map, until all have cost too much, but one in any
-/// case. `finish_map()` is to follow.
+/// case. Where the first alone has cost too much, that is the one that costs least, for a map that is lost, or none.
+/// `finish_map()` is to follow.
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
 inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
@@ -69,11 +70,15 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
     return start;
   const Deadline& deadline = settings.search_options.deadline;
   const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
+  const bool is_costly = has_map(best) && best.work > most_work_of_first_start(patch.number_of_vertices());
+  const auto starts = is_costly ? fixed_border_start(patch, *balanced, deadline, Coarsening::BY_HALVES)
+                                : other_starts(patch, *balanced, deadline);
+  const double least = is_costly ? Minimizer_numbers::LOST_RESULT : Minimizer_numbers::HOPELESS_RESULT;
   double work = best.work;
   bool is_cancelled = false;
-  for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
+  for(const Other_start& other : starts) {
     const bool is_enough = has_map(best) && work > most_work;
-    if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
+    if(!is_hopeless(best, least) || is_enough || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;
@@ -108,6 +113,8 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
 {
   Search_visitor* const visitor = corners ? nullptr : settings.search_options.visitor;
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
+  if(is_hopeless(outcome))
+    outcome.map.work_of_starts = static_cast<long>(outcome.work);
   bool is_finished = !is_hopeless(outcome, Minimizer_numbers::LOST_RESULT);
   if(is_finished)
     finish_map(minimizer, visitor, outcome);

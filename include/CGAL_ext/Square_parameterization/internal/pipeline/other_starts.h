@@ -26,6 +26,19 @@ struct Other_start
   std::function<std::shared_ptr<const Map_minimizer>()> make_minimizer;
 };
 
+/// a map with the border fixed first, which costs least; none when the border is fixed as it is
+inline std::vector<Other_start> fixed_border_start(const Patch& patch, const Balanced_minimization& chosen,
+                                                   const Deadline& deadline, Coarsening coarsening)
+{
+  if(chosen.border == Border_motion::FIXED)
+    return {};
+  return {{Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline, coarsening] {
+             Balanced_minimization minimization = chosen;
+             minimization.border = Border_motion::FIXED;
+             return make_minimizer(patch, minimization, deadline, coarsening);
+           }}};
+}
+
 /// the starts that are left when that of the options has failed, in the order in which they are tried. All are coarsened
 /// in small steps: most maps that are lost in rounding are found so.
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
@@ -43,12 +56,8 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
     starts.push_back({Map_start::BLENDED_WEIGHTS, with_weights(Blended_weights())});
   starts.push_back({Map_start::UNIFORM_WEIGHTS, with_weights(Uniform_weights())});
   starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(Mean_value_weights())});
-  if(chosen.border == Border_motion::SLIDING)
-    starts.push_back({Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline] {
-                        Balanced_minimization minimization = chosen;
-                        minimization.border = Border_motion::FIXED;
-                        return make_minimizer(patch, minimization, deadline, Coarsening::BY_EIGHTHS);
-                      }});
+  for(const Other_start& start : fixed_border_start(patch, chosen, deadline, Coarsening::BY_EIGHTHS))
+    starts.push_back(start);
   return starts;
 }
 

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SEARCH_WORK_H
 
 #include <algorithm>
+#include <limits>
 
 namespace CGAL_ext {
 namespace internal {
@@ -48,7 +49,20 @@ inline double most_work_of_starts(int number_of_vertices)
   return 6e6 + MOST_WORK_OF_STARTS * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
 }
 
-/// the same, with those of the last resort, a longer search from the first start when none has led to a map
+/// sweeps over a mesh of more than `MOST_VERTICES_OF_MAP` vertices that the candidates of the first start may cost for all
+/// others to be tried: those of polygons with thousands of spikes cost 700 to 1300, and to make such a mesh coarse in
+/// small steps takes half a second before the first map
+constexpr double MOST_WORK_OF_FIRST_START = 600;
+
+/// what the candidates of the first start may cost, in vertices visited, for all others to be tried
+inline double most_work_of_first_start(int number_of_vertices)
+{
+  return number_of_vertices <= MOST_VERTICES_OF_MAP ? std::numeric_limits<double>::infinity()
+                                                    : MOST_WORK_OF_FIRST_START * number_of_vertices;
+}
+
+/// what the candidates of all starts may cost, with those of the last resort, a longer search from the first start when
+/// none has led to a map
 inline double most_work_of_last_resort(int number_of_vertices)
 {
   return 2 * most_work_of_starts(number_of_vertices);

@@ -8,7 +8,7 @@ Noise. Stretch, energies, lengths and counts are deterministic: they may differ 
 Seconds depend on the machine: they are divided by their median ratio to those of the table, which is printed, and may
 then differ by 30 %, or by 5 ms.
 
-Names of tables choose some; all of them take about an hour. Exits 1 when a figure has moved.
+Names of tables choose some; all of them take about a quarter of an hour. Exits 1 when a figure has moved.
 """
 import argparse
 import collections

@@ -119,8 +119,8 @@ METHOD_NAMES = {'CGAL iterative authalic': 'CGAL iterative authalic, 15 iteratio
 def methods(run):
     csv = run.output / 'methods.csv'
     if not (run.reuse and csv.exists()):
-        run('methods', [run.bin / 'fixed_border_methods', *run.files(BENCHMARK_MESHES), '--split-chords',
-                        '--repetitions', '5', '--csv', csv])
+        run('methods', ['taskset', '-c', '0', run.bin / 'fixed_border_methods', *run.files(BENCHMARK_MESHES),
+                        '--split-chords', '--repetitions', '5', '--csv', csv])
     figures = {}
     for line in csv.read_text().splitlines()[1:]:
         mesh, method, maps, seconds, _, l2, linf, dirichlet, flips = line.split(',')[:9]

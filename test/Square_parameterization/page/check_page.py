@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opens a page of `square_map --report` in headless Chromium, looks at it, and uses it.
 
-    check_page.py CHROMIUM PAGE.html [--screenshot FILE.png] [--seconds 3 | --processor-seconds S] [--unused]
+    check_page.py CHROMIUM PAGE.html [--screenshot FILE.png] [--seconds S] [--unused]
 
-Fails when the page asks for anything, when something is on the console, when no picture is drawn within the seconds, when
-a picture is blank or the rectangle of the map has another shape, and when the switches, the pointer or the mouse wheel
-change nothing. Seconds of processors, of all processes of the browser together, tell on a machine that has other work, too.
+Fails when the page asks for anything, when something is on the console, when no picture is drawn within a minute, or the
+seconds asked for, when a picture is blank or the rectangle of the map has another shape, and when the switches, the
+pointer or the mouse wheel change nothing. Prints how long the first picture took, by the clock and of the processors, of
+all processes of the browser together: figures of the machine and of its browser, which no test holds against it.
 """
 
 import argparse
@@ -217,7 +218,7 @@ def check(arguments, browser):
     used_before = browser.processor_seconds()
     browser.ask("Page.navigate", url=address)
     first_picture = None
-    end = time.monotonic() + 60
+    end = time.monotonic() + arguments.seconds + 60
     while first_picture is None and time.monotonic() < end:
         time.sleep(0.05)
         first_picture = browser.value_of("document.documentElement?.dataset.firstPicture")
@@ -227,10 +228,8 @@ def check(arguments, browser):
     else:
         used = browser.processor_seconds() - used_before
         print(f"first picture after {first_picture} ms, {used:.2f} seconds of processors")
-        if arguments.processor_seconds is None and float(first_picture) > 1000 * arguments.seconds:
+        if float(first_picture) > 1000 * arguments.seconds:
             faults.append(f"the first picture took {first_picture} ms")
-        if arguments.processor_seconds is not None and used > arguments.processor_seconds:
-            faults.append(f"the first picture took {used:.2f} seconds of processors")
         if arguments.screenshot:
             pathlib.Path(arguments.screenshot).write_bytes(browser.screenshot()[1])
         faults += faults_of_pictures(browser)
@@ -244,8 +243,7 @@ def main():
     parser.add_argument("chromium")
     parser.add_argument("page")
     parser.add_argument("--screenshot")
-    parser.add_argument("--seconds", type=float, default=3, help="for the first picture")
-    parser.add_argument("--processor-seconds", type=float, help="for the first picture, instead")
+    parser.add_argument("--seconds", type=float, default=60, help="for the first picture; default 60")
     parser.add_argument("--unused", action="store_true", help="look at the first picture alone")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:

@@ -80,6 +80,7 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"circle_iterations", &Cut_numbers::circle_iterations, 1, 20},
                                         {"growth_work", &Cut_numbers::growth_work, 50000, 450000},
                                         {"growth_work_per_vertex", &Cut_numbers::growth_work_per_vertex, 100, 300},
+                                        {"growth_work_of_small", &Cut_numbers::growth_work_of_small, 75, 150},
                                         {"decision_work_per_vertex", &Cut_numbers::decision_work_per_vertex, 20, 150},
                                         {"times_work_without_map", &Cut_numbers::times_work_without_map, 1, 20},
                                         {"little_growth_work", &Cut_numbers::little_growth_work, 10000, 100000},
@@ -90,8 +91,12 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"directions", &Cut_numbers::directions, 1, 8},
                                         {"first_step", &Cut_numbers::first_step, 0.06, 0.24},
                                         {"last_step", &Cut_numbers::last_step, 0.015, 0.06},
-                                        {"refinement_work", &Cut_numbers::refinement_work, 0, 120000},
+                                        {"refinement_work_per_vertex", &Cut_numbers::refinement_work_per_vertex, 0, 60},
+                                        {"least_refinement_work", &Cut_numbers::least_refinement_work, 0, 12000},
+                                        {"refinement_work_outside", &Cut_numbers::refinement_work_outside, 0, 120000},
                                         {"largest_refined_stretch", &Cut_numbers::largest_refined_stretch, 1, 1e6},
+                                        {"largest_judged_stretch", &Cut_numbers::largest_judged_stretch, 1, 1e6},
+                                        {"far_from_best", &Cut_numbers::far_from_best, 0, 1},
                                         {"lift_samples", &Cut_numbers::lift_samples, 1, 32},
                                         {"lift_band", &Cut_numbers::lift_band, 0.5, 8}};
 

@@ -173,6 +173,28 @@ def cut_disks_in_readme():
     return figures
 
 
+CUT_WEIGHTS = ['0.0125', '0.025', '0.05', '0.1', '0.2']
+
+
+def cut_weights(run):
+    """L2 plus weight times length of the cut for each weight, and by how much the cut for another weight is better there"""
+    figures = {}
+    for mesh in [row[0] for row in read_table(MANUAL, '| Mesh | 0.0125')]:
+        jobs = [run.map(mesh, '--cut-weight', weight) for weight in CUT_WEIGHTS]
+        beaten = 0
+        for weight, job in zip(CUT_WEIGHTS, jobs):
+            scores = [j['best']['l2'] + float(weight) * j['conditioned']['cut_length'] for j in [job] + jobs]
+            figures[mesh, weight] = scores[0]
+            beaten = max(beaten, 100 * (scores[0] / min(scores) - 1))
+        figures[mesh, 'beaten by'] = beaten
+    return figures
+
+
+def cut_weights_in_manual():
+    return {(row[0], column): cell.replace(' %', '') for row in read_table(MANUAL, '| Mesh | 0.0125')
+            for column, cell in zip(CUT_WEIGHTS + ['beaten by'], row[1:])}
+
+
 def optimal_map_output(run):
     return run('optimal_maps', [run.bin / 'optimal_map_tables', *run.files(OPTIMAL_MESHES), '--generated'])
 
@@ -307,6 +329,7 @@ TABLES = {
     'methods': (methods, methods_in_readme),
     'closed-surfaces': (closed_surfaces, closed_surfaces_in_readme),
     'cut-disks': (cut_disks, cut_disks_in_readme),
+    'cut-weights': (cut_weights, cut_weights_in_manual),
     'weights': (weights, weights_in_manual),
     'exponents': (exponents, exponents_in_manual),
     'balances': (balances, balances_in_manual),

@@ -6,16 +6,19 @@
 #include "test_meshes.h"
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_pool.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
+#include <CGAL_ext/Square_parameterization/internal/search/rough_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <vector>
 
@@ -122,4 +125,51 @@ TEST_CASE("corners that move are never worse than those of the quarters, and do 
     CHECK(moved.map.report.objective <= quarters.map.report.objective * (1 + 1e-6));
     CHECK(quarters.report.corner_moves == 0);
   }
+}
+
+TEST_CASE("a search on rough maps alone finds what brute force finds where these are maps of the patch itself")
+{
+  for(unsigned int seed : {1u, 2u, 3u}) {
+    const Patch patch = make_patch_of(noisy_height_field(12, seed));
+    REQUIRE(patch.number_of_vertices() < 300);
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    Square_search_options options;
+    options.moves_corners = false;
+    const Search_outcome quarter = search_square_map(patch, *minimizer, Quarter_brute_force_corner_search(), options);
+    REQUIRE(quarter.report.candidates <= 16);
+    const double best_candidate = quarter.map.report.objective;
+    CHECK(search_corners_roughly(patch, *minimizer, false, {}).report.objective ==
+          Approx(best_candidate).epsilon(1e-4));
+    const double moved = search_corners_roughly(patch, *minimizer, true, {}).report.objective;
+    CHECK(moved <= best_candidate * (1 + 1e-4));
+    options.moves_corners = true;
+    CHECK(moved ==
+          Approx(search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.report.objective)
+              .epsilon(5e-3));
+  }
+}
+
+TEST_CASE("a search on rough maps ends without a map when its time is over")
+{
+  const Patch patch = make_patch_of(noisy_height_field(12, 1));
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  CHECK(search_corners_roughly(patch, *minimizer, true, std::chrono::steady_clock::now()).uv.rows() == 0);
+}
+
+TEST_CASE("corners move from the best rough map, too, where that lies in another valley than the best candidate")
+{
+  Thread_team team(1);
+  const Triangle_surface surface = surface_of(torus(32, 14));
+  Cut cut = rerouted_initial_cuts(surface, {}, team).front();
+  for(int terminal : {196, 60, 266})
+    extend_cut(surface, terminal, cut);
+  const Patch patch = patch_of_cut(surface, cut);
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  Square_search_options options;
+  options.moves_corners = false;
+  const double quarter = search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.report.objective;
+  options.moves_corners = true;
+  const double moved = search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.report.objective;
+  CHECK(moved < 0.97 * quarter); // 0.98 in the valley of the best candidate, 0.96 in the other
+  CHECK(moved <= 1.001 * search_corners_roughly(patch, *minimizer, true, {}).report.objective);
 }

@@ -65,6 +65,10 @@ struct Seam_options : Cut_options
   /// `BEST`: width over height of the rectangle on which cuts are judged; none for the best of each cut
   std::optional<double> aspect = Balanced_minimization().aspect;
 
+  /// `BEST`: whether the corners move on their own in the maps by which the last few cuts are judged, as in the map that
+  /// is delivered: see `Square_search_options`
+  bool moves_corners = true;
+
   unsigned int number_of_threads = 0; ///< 0 for all cores; the cut is the same for any number
 
   /// `BEST`: when it has passed, no more cuts are compared, and the best so far is taken; or any cut, when the surface

@@ -125,6 +125,10 @@ struct Cut_numbers
   /// Fewer: small surfaces get a little more stretch; more: they take seconds where their maps are slow.
   long growth_work_per_vertex = 150;
 
+  /// the same per vertex of a surface so small that no copy of `growth_faces` is made. More: surfaces of a thousand faces take more
+  /// than a second.
+  long growth_work_of_small = 110;
+
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
   /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
   long decision_work_per_vertex = 60;
@@ -169,12 +173,28 @@ struct Cut_numbers
   /// no other place. Steps are halved in between.
   double last_step = 0.03;
 
-  /// vertices mapped to refine a cut, at most: fifteen cuts of 4000 faces
-  long refinement_work = 30000;
+  /// vertices mapped to refine a cut for one weight, at most, per vertex of the surface: so many ordinary cuts. Ten times as
+  /// many lowered L2 + 0.05 length of thirteen surfaces by a tenth of a per cent, for half as much time again.
+  long refinement_work_per_vertex = 6;
+
+  /// the same of a small surface: some dozen cuts of a few hundred faces, which cost little, and gain a quarter of a per cent
+  long least_refinement_work = 4000;
+
+  /// vertices mapped to refine a cut for a weight outside the family, where growth has come less far, at most: fifteen cuts of
+  /// 4000 faces. Less: needles are not cut across where that is wanted.
+  long refinement_work_outside = 30000;
 
   /// L2 stretch that a cut leaves, at most, for it to be refined; one that has no map is not. More: a third of a second,
   /// nearly always in vain.
   double largest_refined_stretch = 1000;
+
+  /// L2 stretch that a cut leaves, at most, for it to be judged by searched corners. More: where there are spikes, whose maps
+  /// take long, the corners are not what matters.
+  double largest_judged_stretch = 10;
+
+  /// how far the score of a cut may lie above the best, relative, for it to be judged by searched corners, which lower a score
+  /// by 3 % at most. More: a third of a second for each cut, in vain.
+  double far_from_best = 0.06;
 
   // --- carrying a cut over to a finer surface ---
 

@@ -4,17 +4,15 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_POOL_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_POOL_H
 
-#include <CGAL_ext/Square_parameterization/Cut_report.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_progress.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Scored_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -25,29 +23,6 @@
 
 namespace CGAL_ext {
 namespace internal {
-
-/// a cut, how it was made of another, and what it is worth
-struct Scored_cut
-{
-  Cut cut;
-  Cut_step::Kind kind;
-  int terminal; ///< that it was changed for; -1 for none
-  Cut_score score = {};
-};
-
-/// indicates whether the first has the lower score at a weight: see `Cut_options::cut_weight`
-struct Is_better
-{
-  double weight;
-
-  bool operator()(const Scored_cut& a, const Scored_cut& b) const { return a.score.at(weight) < b.score.at(weight); }
-};
-
-/// the best of the cuts at a weight (ties: the first). \pre there is one
-inline const Scored_cut& best_of(const std::vector<Scored_cut>& cuts, double weight)
-{
-  return *std::min_element(cuts.begin(), cuts.end(), Is_better{weight});
-}
 
 /// the cut extended to one terminal more
 inline void extend_cut(const Triangle_surface& surface, int terminal, Cut& cut)
@@ -140,33 +115,22 @@ public:
   /// the best of all at a weight. \pre there is one
   const Scored_cut& best(double weight) const { return best_of(m_known, weight); }
 
-  /// those that are best at some weight, the shortest first: the lower left side of the convex hull of all, as points
-  /// of length and stretch
-  std::vector<const Scored_cut*> front() const
+  /// those that are best at some weight between two, the shortest first
+  std::vector<Scored_cut> best_between(double heaviest, double lightest) const
   {
-    std::vector<const Scored_cut*> sorted;
-    for(const Scored_cut& known : m_known)
-      if(std::isfinite(known.score.stretch))
-        sorted.push_back(&known);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Scored_cut* a, const Scored_cut* b) {
-      return std::pair(a->score.length, a->score.stretch) < std::pair(b->score.length, b->score.stretch);
-    });
-    std::vector<const Scored_cut*> front;
-    for(const Scored_cut* next : sorted) {
-      if(!front.empty() && front.back()->score.stretch <= next->score.stretch)
-        continue;
-      while(front.size() > 1 && is_above_line(*front[front.size() - 2], *front.back(), *next))
-        front.pop_back();
-      front.push_back(next);
-    }
-    return front;
+    const double shortest = best(heaviest).score.length, longest = best(lightest).score.length;
+    std::vector<Scored_cut> cuts;
+    for(const Scored_cut* cut : front_of(m_known))
+      if(cut->score.length >= shortest && cut->score.length <= longest)
+        cuts.push_back(*cut);
+    return cuts;
   }
 
   /// good cuts of different lengths, the shortest first: of each of `selected` equal ranges of length that which lies
   /// least above the front, unless it lies far above. The best at \p weight alone when the deadline has passed.
   std::vector<Cut> selection(double weight) const
   {
-    const std::vector<const Scored_cut*> best_cuts = front();
+    const std::vector<const Scored_cut*> best_cuts = front_of(m_known);
     if(has_passed(m_deadline) || best_cuts.empty())
       return {best(weight).cut};
     const double shortest = best_cuts.front()->score.length, longest = best_cuts.back()->score.length;
@@ -242,24 +206,6 @@ private:
     for(std::size_t i = 0; i < cuts.size(); ++i)
       cuts[i].score = m_known[places[i]].score;
     return cuts;
-  }
-
-  /// indicates whether \p middle is not below the line from \p first to \p last, of lengths in that order
-  static bool is_above_line(const Scored_cut& first, const Scored_cut& middle, const Scored_cut& last)
-  {
-    const Cut_score &a = first.score, &b = middle.score, &c = last.score;
-    return (b.stretch - a.stretch) * (c.length - a.length) >= (c.stretch - a.stretch) * (b.length - a.length);
-  }
-
-  /// the stretch of the line through the cuts of the front. \pre the length is not outside
-  static double stretch_of_front(const std::vector<const Scored_cut*>& front, double length)
-  {
-    const auto next = std::find_if(front.begin(), front.end(),
-                                   [length](const Scored_cut* cut) { return cut->score.length >= length; });
-    if(next == front.begin())
-      return (*next)->score.stretch;
-    const Cut_score &b = (*next)->score, &a = (*std::prev(next))->score;
-    return a.stretch + (b.stretch - a.stretch) * (length - a.length) / (b.length - a.length);
   }
 
   const Triangle_surface& m_surface;

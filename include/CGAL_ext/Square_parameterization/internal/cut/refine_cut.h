@@ -50,13 +50,14 @@ inline bool improve_cut(Cut_pool& pool, double weight, double distance, long wor
 
 /// moves, or drops, terminals of a cut as long as that lowers its score: first by large steps, then by smaller ones. A cut
 /// stays as it is where it leaves too much stretch, or has no map, or a score costs too much.
-inline void refine_cut(Cut_pool& pool, double weight, Scored_cut& cut, Cut_history& history)
+/// \param most_work of it, in vertices mapped
+inline void refine_cut(Cut_pool& pool, double weight, long most_work, Scored_cut& cut, Cut_history& history)
 {
   const Cut_numbers& numbers = pool.numbers();
   history.add(cut);
-  if(cut.score.stretch > numbers.largest_refined_stretch || pool.work_per_score() > numbers.refinement_work)
+  if(cut.score.stretch > numbers.largest_refined_stretch || pool.work_per_score() > most_work)
     return;
-  const long work = pool.work() + numbers.refinement_work;
+  const long work = pool.work() + most_work;
   for(double step = numbers.first_step; step >= numbers.last_step && !pool.is_exhausted(work);)
     if(!improve_cut(pool, weight, step * std::sqrt(pool.surface().area), work, cut, history))
       step /= 2;

@@ -34,6 +34,7 @@ struct Cut_score_options
 {
   double balance = Seam_options().balance;              ///< of the energy that is minimised
   std::optional<double> aspect = Seam_options().aspect; ///< of the rectangle; none for the best
+  bool moves_corners = Seam_options().moves_corners;    ///< after the search by which the last few cuts are judged
   Cut_numbers numbers = {};
   Deadline deadline = {}; ///< when it has passed, maps stay as they are
 };

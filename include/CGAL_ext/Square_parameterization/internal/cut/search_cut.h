@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/judge_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/refine_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
@@ -39,15 +40,22 @@ inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& s
   return copy;
 }
 
+constexpr double HEAVIEST_OF_FAMILY = 0.2;
+constexpr int FAMILY_WEIGHTS = 5; // each half of the one before
+
+/// indicates whether a weight lies outside those of the family
+inline bool is_outside_family(double weight)
+{
+  return weight > HEAVIEST_OF_FAMILY || weight < std::ldexp(HEAVIEST_OF_FAMILY, 1 - FAMILY_WEIGHTS);
+}
+
 /// the weights at which cuts are grown, the heaviest first: always the same, so that what is found does not depend on
 /// the weight wanted; and that, where it lies outside
 inline std::vector<double> weights_of_family(double wanted)
 {
-  constexpr double HEAVIEST = 0.2;
-  constexpr int WEIGHTS = 5;
   std::vector<double> weights;
-  for(int i = 0; i < WEIGHTS; ++i)
-    weights.push_back(std::ldexp(HEAVIEST, -i));
+  for(int i = 0; i < FAMILY_WEIGHTS; ++i)
+    weights.push_back(std::ldexp(HEAVIEST_OF_FAMILY, -i));
   if(wanted > weights.front())
     weights.insert(weights.begin(), wanted);
   if(wanted < weights.back())
@@ -56,14 +64,15 @@ inline std::vector<double> weights_of_family(double wanted)
 }
 
 /// decides on a cut that leaves little stretch. A family of cuts of all lengths is grown on simple copies, for the same
-/// weights whatever weight is wanted, so that the cut for one weight is no worse than that for another; its best members
-/// are scored again on a finer copy, and the best of them at the weight wanted is refined.
+/// weights whatever weight is wanted; its best members are scored again on a finer copy, and the best of them at each of
+/// these weights is refined. Those that are best at some weight are judged as the map that is delivered is made, by searched
+/// corners: the cut for one weight is then hardly worse than that for another.
 class Cut_decision
 {
 public:
   Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report, const Cut_numbers& numbers = {})
     : m_weight(options.cut_weight),
-      m_scoring{options.balance, options.aspect, numbers, options.deadline},
+      m_scoring{options.balance, options.aspect, options.moves_corners, numbers, options.deadline},
       m_max_cut_length(options.max_cut_length),
       m_deadline(options.deadline),
       m_progress(options.visitor),
@@ -83,7 +92,7 @@ public:
 
 private:
   // shares of the time of the whole decision that have passed when its parts end: medians of a dozen surfaces
-  static constexpr double SIMPLIFIED = 0.05, GROWN_ON_SIMPLER_COPIES = 0.4, GROWN = 0.7;
+  static constexpr double SIMPLIFIED = 0.03, GROWN_ON_SIMPLER_COPIES = 0.25, GROWN = 0.45, REFINED = 0.82;
 
   Cut decide_on_copy(const Triangle_surface& surface)
   {
@@ -117,25 +126,48 @@ private:
     return {surface, scoring, m_max_cut_length, m_team, m_deadline, m_progress};
   }
 
-  /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, and the best of
-  /// them refined
+  /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, the best of them
+  /// refined, and the last few judged
   Cut decide(const Triangle_surface& surface)
   {
     Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
     const std::vector<Cut> cuts = grown_cuts(surface);
-    m_progress.begin_part(1, double(numbers().refinement_work));
+    const std::vector<double> weights = weights_of_family(m_weight);
+    long refinement_work = 0;
+    for(double weight : weights)
+      refinement_work += work_of_refinement(surface, weight);
+    m_progress.begin_part(REFINED, double(refinement_work));
     const long most_work = numbers().decision_work_per_vertex * surface.number_of_vertices();
     pool.start(cuts, most_work);
     if(surface.is_disk()) // a cut that is not needed must pay
       pool.start({Cut(surface)}, most_work);
-    Scored_cut best = pool.best(m_weight);
-    refine_cut(pool, m_weight, best, m_history);
+    for(double weight : weights) {
+      Scored_cut cut = pool.best(weight);
+      refine_cut(pool, weight, work_of_refinement(surface, weight), cut, m_history);
+    }
+    const std::vector<Scored_cut> judged = judged_cuts(pool, weights);
+    const Scored_cut& best = best_of(judged, m_weight);
     m_report.is_cancelled = has_passed(m_deadline);
     m_report.score = best.score.at(m_weight);
     m_report.stretch = best.score.stretch;
-    for(const Scored_cut* cut : pool.front())
+    for(const Scored_cut* cut : front_of(judged))
       m_report.front.push_back({cut->score.length, cut->score.stretch});
     return best.cut;
+  }
+
+  /// the cuts of the pool that are best at some weight of the family, judged by searched corners where that is worth its time
+  std::vector<Scored_cut> judged_cuts(const Cut_pool& pool, const std::vector<double>& weights)
+  {
+    std::vector<Scored_cut> cuts = pool.best_between(weights.front(), weights.back());
+    if(cuts.empty()) // none has a map
+      return {pool.best(m_weight)};
+    const bool has_choice =
+        cuts.size() > 1 && best_of(cuts, m_weight).score.stretch <= numbers().largest_judged_stretch;
+    if(has_choice && !has_passed(m_deadline)) {
+      m_progress.begin_part(1, double(cuts.size()));
+      judge_cuts(pool.surface(), m_weight, m_scoring, m_team, m_progress, cuts);
+    }
+    return cuts;
   }
 
   /// good cuts of different lengths, found on a simple copy. What was grown on still simpler ones competes there, for
@@ -145,6 +177,7 @@ private:
     const std::optional<Triangle_surface> copy =
         simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
     const Triangle_surface& grown = copy ? *copy : surface;
+    m_growth_work_per_vertex = copy ? numbers().growth_work_per_vertex : numbers().growth_work_of_small;
     std::vector<Cut> starts = rerouted_initial_cuts(grown, numbers(), m_team);
     const int simpler_copies = copy ? numbers().simpler_copies : numbers().simpler_copies_of_small;
     std::set<int> sizes{grown.number_of_faces()}; // handles may keep copies from getting simpler: each is grown on once
@@ -193,7 +226,7 @@ private:
   {
     Cut_pool pool = make_pool(surface, numbers().score_tolerance);
     const long most_work = work_of_growth(surface);
-    pool.start(starts, (std::max)(most_work, numbers().growth_work_per_vertex * surface.number_of_vertices()));
+    pool.start(starts, (std::max)(most_work, m_growth_work_per_vertex * surface.number_of_vertices()));
     grow(pool, most_work);
     return pool;
   }
@@ -216,10 +249,18 @@ private:
     return cuts;
   }
 
+  /// what it may cost to refine a cut for a weight, in vertices mapped
+  long work_of_refinement(const Triangle_surface& surface, double weight) const
+  {
+    return is_outside_family(weight) ? numbers().refinement_work_outside
+                                     : (std::max)(numbers().least_refinement_work,
+                                                  numbers().refinement_work_per_vertex * surface.number_of_vertices());
+  }
+
   /// what growth may cost, in vertices mapped; it may end earlier
   long work_of_growth(const Triangle_surface& surface) const
   {
-    return (std::min)(numbers().growth_work_per_vertex * surface.number_of_vertices(),
+    return (std::min)(m_growth_work_per_vertex * surface.number_of_vertices(),
                       has_many_loops(surface, numbers()) ? numbers().little_growth_work : numbers().growth_work);
   }
 
@@ -231,6 +272,7 @@ private:
   Thread_team& m_team;
   Cut_report& m_report;
   Cut_history m_history;
+  long m_growth_work_per_vertex = 0; // vertices mapped
 };
 
 } // namespace internal

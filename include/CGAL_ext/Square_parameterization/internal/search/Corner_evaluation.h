@@ -83,8 +83,10 @@ public:
     std::vector<double> objectives;
     for(std::size_t i = 0; i < choices.size(); ++i) {
       m_work += maps[i].work;
-      m_warm_starts[choices[i]] = std::move(maps[i].warm_start);
       objectives.push_back(maps[i].report.objective);
+      Warm_start& known = m_warm_starts[choices[i]];
+      if(objectives.back() < known.objective) // a choice that was mapped before may end in another local minimum
+        known = {std::move(maps[i].warm_start), objectives.back()};
       if(objectives.back() < m_best_map.report.objective) {
         m_best_map = std::move(maps[i]);
         m_best_corners = choices[i];
@@ -106,13 +108,20 @@ public:
   const Uv_coordinates* warm_start(const Corners& corners) const
   {
     const auto known = m_warm_starts.find(corners);
-    return known == m_warm_starts.end() || known->second.rows() == 0 ? nullptr : &known->second;
+    return known == m_warm_starts.end() || known->second.uv.rows() == 0 ? nullptr : &known->second.uv;
   }
 
   const Minimized_map& best_map() const { return m_best_map; }
   const Corners& best_corners() const { return m_best_corners; }
 
 private:
+  /// what maps may start from, and the objective of the map that it is of
+  struct Warm_start
+  {
+    Uv_coordinates uv;
+    double objective = std::numeric_limits<double>::infinity();
+  };
+
   bool are_border_positions(const Corners& corners) const
   {
     const auto [least, largest] = std::minmax_element(corners.begin(), corners.end());
@@ -147,7 +156,7 @@ private:
   bool m_is_cancelled = false;
   std::size_t m_number_of_choices = 0;
   long m_work = 0;
-  std::map<Corners, Uv_coordinates> m_warm_starts;
+  std::map<Corners, Warm_start> m_warm_starts;
   Minimized_map m_best_map;
   Corners m_best_corners{};
 };

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_CORNER_MOVES_H
 
+#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/border/corners_at_shares.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 
@@ -210,6 +211,33 @@ private:
   std::function<bool()> m_is_exhausted;
   std::map<Corners, double> m_known;
 };
+
+/// the corners of candidates that are spread evenly over the quarter of the border, to start from: of sixteen, or of all
+/// where there are fewer. Eight miss the best valley of some borders.
+/// \param border_lengths #B, edge k joins border vertices k and k + 1
+inline std::vector<Corners> corners_of_spread_candidates(const std::vector<double>& border_lengths)
+{
+  const Border_walk walk(border_lengths, Walk::COUNTER_CLOCKWISE);
+  const int candidates = number_of_quarter_candidates(walk);
+  const int count = (std::min)(16, candidates);
+  std::vector<Corners> corners;
+  for(int i = 0; i < count; ++i)
+    corners.push_back(corners_of_candidate(walk, static_cast<int>(long(i) * candidates / count), Corner_rule::NEAREST));
+  return corners;
+}
+
+/// the objectives of moves: maps start from that of the choice that is moved, or from \p first, which may be null. On
+/// rectangles that differ in their aspect maps come down slowly, and are not given up before.
+inline Corner_moves::Objective_of objective_of_moves(Corner_evaluation& maps, const Uv_coordinates* first = nullptr)
+{
+  return [&maps, first](const std::vector<Corners>& choices, const Corner_choice* near) {
+    if(near == nullptr)
+      return maps(choices, {choices.size(), first});
+    const bool is_square = maps.best_map().aspect == 1;
+    return maps(choices, {choices.size(), maps.warm_start(near->corners)},
+                is_square ? near->objective : std::numeric_limits<double>::infinity());
+  };
+}
 
 } // namespace internal
 } // namespace CGAL_ext

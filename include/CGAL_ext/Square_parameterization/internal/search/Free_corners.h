@@ -33,6 +33,7 @@ public:
   Free_corners(const Patch& patch, const Map_minimizer& minimizer, unsigned int number_of_threads,
                Search_visitor* visitor, const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
     : m_patch(patch),
+      m_has_sketched_candidates(minimizer.has_sketches()),
       m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, number_of_threads,
              visitor, may_map, most_maps_at_once(patch.number_of_vertices()))
   {
@@ -81,7 +82,7 @@ public:
   {
     try {
       double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
-      Corner_moves moves(m_patch.border_lengths, objective_of(*m_rough_maps, nullptr),
+      Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps),
                          [this, &most_work] { return work_of_rough_maps() > most_work; });
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
@@ -103,19 +104,7 @@ public:
 
 private:
   static constexpr double CERTAIN = 4e-4; // of a lower sketch: sketches rank maps that differ by less wrongly, at times
-
-  /// the objectives of moves: maps start from that of the choice that is moved, or from \p first, which may be null. On
-  /// rectangles that differ in their aspect maps come down slowly, and are not given up before.
-  static Corner_moves::Objective_of objective_of(Corner_evaluation& maps, const Uv_coordinates* first)
-  {
-    return [&maps, first](const std::vector<Corners>& choices, const Corner_choice* near) {
-      if(near == nullptr)
-        return maps(choices, {choices.size(), first});
-      const bool is_square = maps.best_map().aspect == 1;
-      return maps(choices, {choices.size(), maps.warm_start(near->corners)},
-                  is_square ? near->objective : std::numeric_limits<double>::infinity());
-    };
-  }
+  static constexpr double MUCH_LOWER = 2e-3; // of a rough map: another valley is worth its moves
 
   /// what rough maps have cost, in vertices visited; where there are sketches, with those of one more step at the same cost
   /// for each. \pre there is one
@@ -126,7 +115,7 @@ private:
   }
 
   /// where the corners come to rest, but for the start itself
-  std::vector<Corners> ends_of_moves(const Corners& start, bool is_square, Corner_moves& moves) const
+  std::vector<Corners> ends_of_moves(const Corners& start, bool is_square, Corner_moves& moves)
   {
     std::vector<Corners> starts{start};
     if(!is_square)
@@ -136,8 +125,29 @@ private:
     std::set<Corners> ends;
     for(const Corners& corners : starts)
       ends.insert(moves.descend(corners, first_step, is_square ? Corner_moves::LIKELY : Corner_moves::ALL).corners);
+    if(is_square && has_other_valleys())
+      if(const auto end = end_in_other_valley(moves.compare({start}).front(), first_step))
+        ends.insert(*end);
     ends.erase(start);
     return {ends.begin(), ends.end()};
+  }
+
+  /// indicates whether rough maps may know of a better valley than that of the best candidate: not where candidates were
+  /// compared on sketches, or the rough maps are those of the patch itself
+  bool has_other_valleys() const
+  {
+    return !m_has_sketched_candidates && m_patch.number_of_vertices() > Minimizer_numbers::LARGEST_ROUGH;
+  }
+
+  /// where the corners of the candidate whose rough map is best come to rest, if that is much better than the start's. Its
+  /// moves remember nothing of those of the start: objectives that are larger than the start's one are only near.
+  std::optional<Corners> end_in_other_valley(const Corner_choice& start, int first_step)
+  {
+    Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps));
+    const Corner_choice other = moves.compare(corners_of_spread_candidates(m_patch.border_lengths), &start).front();
+    if(other.objective >= (1 - MUCH_LOWER) * start.objective)
+      return {};
+    return moves.descend(other.corners, first_step, Corner_moves::LIKELY).corners;
   }
 
   /// keeps the choice with the best sketch, moved to where the sketch is best, if that is better than the one of the
@@ -145,7 +155,7 @@ private:
   bool keep_best_sketch(const Corners& start, const Uv_coordinates* sketch, double most_work, Corner_moves& rough,
                         std::vector<Corners>& ends)
   {
-    Corner_moves moves(m_patch.border_lengths, objective_of(*m_sketches, sketch),
+    Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_sketches, sketch),
                        [this, most_work] { return double(m_sketches->work()) > most_work; });
     const Corner_choice first = moves.compare({start}).front();
     ends.push_back(start);
@@ -177,6 +187,7 @@ private:
   }
 
   const Patch& m_patch;
+  const bool m_has_sketched_candidates;
   Corner_evaluation m_maps;
   std::optional<Corner_evaluation> m_sketches, m_rough_maps;
   bool m_is_cancelled = false;

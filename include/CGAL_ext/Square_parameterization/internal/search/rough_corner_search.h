@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_ROUGH_CORNER_SEARCH_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_ROUGH_CORNER_SEARCH_H
+
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
+namespace CGAL_ext {
+namespace internal {
+
+/// the candidates from the best to the worst, by rough maps: a few are mapped afresh, the others from the best of these
+inline std::vector<Corner_choice> ranked_candidates(const Patch& patch, Corner_moves& moves)
+{
+  constexpr std::size_t PER_FRESH_MAP = 4;
+  const std::vector<Corners> candidates = corners_of_spread_candidates(patch.border_lengths);
+  std::vector<Corners> first;
+  for(std::size_t i = 0; i < candidates.size(); i += PER_FRESH_MAP)
+    first.push_back(candidates[i]);
+  const Corner_choice best = moves.compare(first).front();
+  return moves.compare(candidates, &best);
+}
+
+/// the corners of which the rough map is best: of a few candidates the best one, and those to which the corners of the best
+/// two, and on a rectangle others, too, move
+inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner_evaluation& rough_maps)
+{
+  constexpr std::size_t STARTS = 2;
+  double most_work = std::numeric_limits<double>::infinity(); // until the first maps tell the aspect
+  Corner_moves moves(patch.border_lengths, objective_of_moves(rough_maps),
+                     [&] { return double(rough_maps.work()) > most_work; });
+  std::vector<Corner_choice> starts = ranked_candidates(patch, moves);
+  Corner_choice best = starts.front();
+  if(!moves_corners)
+    return best.corners;
+  const bool is_square = rough_maps.best_map().aspect == 1;
+  most_work = most_moving_work(is_square);
+  starts.resize((std::min)(starts.size(), STARTS));
+  if(!is_square)
+    for(const Corner_choice& choice : moves.best_of_spread())
+      starts.push_back(choice);
+  const int first_step = static_cast<int>(patch.border.size()) / 8;
+  for(const Corner_choice& start : starts)
+    best = (std::min)(best,
+                      moves.descend(start.corners, first_step, is_square ? Corner_moves::LIKELY : Corner_moves::ALL));
+  return best.corners;
+}
+
+/// a search for the corners in a third of the time of `search_corners()`, by one thread: rough maps alone are compared,
+/// and the best choice is mapped as the map that is delivered is. Without uv when that has no map, or the deadline has passed.
+/// \param moves_corners see `Square_search_options`
+/// \pre `minimizer.has_rough_maps()`
+inline Minimized_map search_corners_roughly(const Patch& patch, const Map_minimizer& minimizer, bool moves_corners,
+                                            const Deadline& deadline)
+{
+  const auto is_in_time = [&deadline] { return !has_passed(deadline); };
+  try {
+    Corner_evaluation rough_maps([&minimizer] { return minimizer.make_rough_worker(); }, patch, 1, nullptr, is_in_time);
+    const Corners corners = best_rough_corners(patch, moves_corners, rough_maps);
+    Corner_evaluation maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, 1,
+                           nullptr, is_in_time);
+    maps({corners}, {rough_maps.warm_start(corners)});
+    return minimizer.finish(maps.best_map());
+  } catch(const Search_cancelled&) {
+    return Minimized_map();
+  }
+}
+
+} // namespace internal
+} // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_ROUGH_CORNER_SEARCH_H

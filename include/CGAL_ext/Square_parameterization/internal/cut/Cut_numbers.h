@@ -127,7 +127,7 @@ struct Cut_numbers
 
   /// the same per vertex of a surface so small that no copy of `growth_faces` is made. More: surfaces of a thousand faces take more
   /// than a second.
-  long growth_work_of_small = 110;
+  long growth_work_of_small = 100;
 
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
   /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
@@ -142,7 +142,7 @@ struct Cut_numbers
   /// and then: L2 + 0.05 length of 39 of 1000 random surfaces changed, and fell by three tenths in the geometric mean. More
   /// work: surfaces of a thousand faces take more than a second.
   double large_stretch = 10;
-  long times_growth_work = 4;
+  long times_growth_work = 6;
   long long_growth_work = 75000;
 
   /// `growth_work` where there are many loops: see `many_loops`

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_ROUGH_CORNER_SEARCH_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
@@ -33,10 +34,10 @@ inline std::vector<Corner_choice> ranked_candidates(const Patch& patch, Corner_m
 }
 
 /// the corners of which the rough map is best: of a few candidates the best one, and those to which the corners of the best
-/// two, and on a rectangle others, too, move
+/// two, and on a rectangle others, too, move. On a small patch, whose rough maps tell the best one well, it moves alone.
 inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner_evaluation& rough_maps)
 {
-  constexpr std::size_t STARTS = 2;
+  const std::size_t most_starts = patch.number_of_vertices() > 4 * Minimizer_numbers::LARGEST_ROUGH ? 2 : 1;
   double most_work = std::numeric_limits<double>::infinity(); // until the first maps tell the aspect
   Corner_moves moves(patch.border_lengths, objective_of_moves(rough_maps),
                      [&] { return double(rough_maps.work()) > most_work; });
@@ -46,7 +47,7 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
     return best.corners;
   const bool is_square = rough_maps.best_map().aspect == 1;
   most_work = most_moving_work(is_square);
-  starts.resize((std::min)(starts.size(), STARTS));
+  starts.resize((std::min)(starts.size(), most_starts));
   if(!is_square)
     for(const Corner_choice& choice : moves.best_of_spread())
       starts.push_back(choice);

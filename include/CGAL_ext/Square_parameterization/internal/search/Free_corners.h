@@ -82,15 +82,15 @@ public:
   {
     try {
       double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
-      Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps),
-                         [this, &most_work] { return work_of_rough_maps() > most_work; });
+      const auto is_exhausted = [this, &most_work] { return work_of_rough_maps() > most_work; };
+      Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps), is_exhausted);
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;
       most_work = most_moving_work(is_square);
-      if(work_of_rough_maps() > most_work)
+      if(is_exhausted())
         return false;
-      std::vector<Corners> ends = ends_of_moves(start, is_square, moves);
+      std::vector<Corners> ends = ends_of_moves(start, is_square, is_exhausted, moves);
       const bool is_certain = m_sketches && keep_best_sketch(start, sketch, most_work, moves, ends);
       const long work_before = m_maps.work();
       map_ends(ends);
@@ -115,7 +115,8 @@ private:
   }
 
   /// where the corners come to rest, but for the start itself
-  std::vector<Corners> ends_of_moves(const Corners& start, bool is_square, Corner_moves& moves)
+  std::vector<Corners> ends_of_moves(const Corners& start, bool is_square, const std::function<bool()>& is_exhausted,
+                                     Corner_moves& moves)
   {
     std::vector<Corners> starts{start};
     if(!is_square)
@@ -125,8 +126,8 @@ private:
     std::set<Corners> ends;
     for(const Corners& corners : starts)
       ends.insert(moves.descend(corners, first_step, is_square ? Corner_moves::LIKELY : Corner_moves::ALL).corners);
-    if(is_square && has_other_valleys())
-      if(const auto end = end_in_other_valley(moves.compare({start}).front(), first_step))
+    if(is_square && has_other_valleys() && !is_exhausted())
+      if(const auto end = end_in_other_valley(moves.compare({start}).front(), first_step, is_exhausted))
         ends.insert(*end);
     ends.erase(start);
     return {ends.begin(), ends.end()};
@@ -141,9 +142,10 @@ private:
 
   /// where the corners of the candidate whose rough map is best come to rest, if that is much better than the start's. Its
   /// moves remember nothing of those of the start: objectives that are larger than the start's one are only near.
-  std::optional<Corners> end_in_other_valley(const Corner_choice& start, int first_step)
+  std::optional<Corners> end_in_other_valley(const Corner_choice& start, int first_step,
+                                             const std::function<bool()>& is_exhausted)
   {
-    Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps));
+    Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps), is_exhausted);
     const Corner_choice other = moves.compare(corners_of_spread_candidates(m_patch.border_lengths), &start).front();
     if(other.objective >= (1 - MUCH_LOWER) * start.objective)
       return {};

@@ -193,7 +193,7 @@ struct Cut_numbers
   double largest_judged_stretch = 10;
 
   /// how far the score of a cut may lie above the best, relative, for it to be judged by searched corners, which lower a score
-  /// by 3 % at most. More: a third of a second for each cut, in vain.
+  /// by 3 % at most. More: a tenth of a second for each cut, in vain.
   double far_from_best = 0.06;
 
   // --- carrying a cut over to a finer surface ---

@@ -65,8 +65,8 @@ inline std::vector<double> weights_of_family(double wanted)
 
 /// decides on a cut that leaves little stretch. A family of cuts of all lengths is grown on simple copies, for the same
 /// weights whatever weight is wanted; its best members are scored again on a finer copy, and the best of them at each of
-/// these weights is refined. Those that are best at some weight are judged as the map that is delivered is made, by searched
-/// corners: the cut for one weight is then hardly worse than that for another.
+/// these weights is refined. Those that are best at some weight are judged by searched corners, and maps as near to their
+/// minima as the one that is delivered: the cut for one weight is then hardly worse than that for another.
 class Cut_decision
 {
 public:

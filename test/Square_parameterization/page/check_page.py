@@ -8,7 +8,7 @@
 Fails when the page asks for anything, when something is on the console, when no picture is drawn within a minute, or the
 seconds asked for, when a picture is blank or the rectangle of the map has another shape, and when the switches, the
 pointer or the mouse wheel change nothing. Prints how long the first picture took, by the clock and of the processors, of
-all processes of the browser together: figures of the machine and of its browser, which no test holds against it.
+all processes of the browser together: figures of the machine and of its browser, which tests do not look at.
 """
 
 import argparse

@@ -125,8 +125,8 @@ struct Cut_numbers
   /// Fewer: small surfaces get a little more stretch; more: they take seconds where their maps are slow.
   long growth_work_per_vertex = 150;
 
-  /// the same per vertex of a surface so small that no copy of `growth_faces` is made. More: surfaces of a thousand faces take more
-  /// than a second.
+  /// the same per vertex of a surface so small that no copy of `growth_faces` is made. More: surfaces of a thousand faces
+  /// take more than a second.
   long growth_work_of_small = 100;
 
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what

@@ -130,7 +130,7 @@ TEST_CASE("a vertex stands for each corner that a coarse border leaves out, and 
     int removed_corners = 0;
     for(int candidate : {0, 1, 2, 3, 50, 77}) {
       const Uv_coordinates border_uv = border_of(fine, candidate);
-      const auto coarse_place = coarse_border(fine, coarse, border_uv);
+      const auto coarse_place = coarse_border(coarse, border_uv);
       REQUIRE(coarse_place);
       const auto& [coarse_uv, removed] = *coarse_place;
       removed_corners += static_cast<int>(removed.size());
@@ -167,7 +167,7 @@ TEST_CASE("where two corners fall into one vertex there is no coarse border, and
   const int first = (a + 1) % size == b ? a : b;
   const Uv_coordinates border_uv =
       border_with_corners(fine, {first, (first + 1) % size, (first + size / 3) % size, (first + 2 * size / 3) % size});
-  CHECK_FALSE(coarse_border(fine, coarse, border_uv));
+  CHECK_FALSE(coarse_border(coarse, border_uv));
   const Minimized_map map = make_minimizer(fine, Balanced_minimization())->make_worker()(border_uv, nullptr);
   REQUIRE(map.uv.rows() == fine.number_of_vertices());
   CHECK(number_of_flipped_faces(fine.triangles, map.uv) == 0);

@@ -293,6 +293,24 @@ Soup star(const std::vector<double>& radii)
   return soup;
 }
 
+TEST_CASE("a half disk of 20000 corners is stretched as little as one of 1000, and no triangle of it is torn")
+{
+  const auto half_disk = [](int corners) {
+    Soup soup;
+    soup.faces.emplace_back();
+    for(int i = 0; i < corners; ++i) {
+      const double angle = 3.14159265358979 * i / (corners - 1);
+      soup.points.push_back({std::cos(angle), std::sin(angle), 0});
+      soup.faces[0].push_back(i);
+    }
+    return soup;
+  };
+  const Mapped coarse = check_map(half_disk(1000), {"--triangulate"});
+  const Mapped fine = check_map(half_disk(20000), {"--triangulate"});
+  CHECK(fine.report["best"]["energy"] < 1.02 * double(coarse.report["best"]["energy"]));
+  CHECK(fine.report["best"]["linf"] < 1000);
+}
+
 TEST_CASE("of a star of 5000 corners, whose maps cost much, one is made, and its corners stay")
 {
   std::vector<double> radii;

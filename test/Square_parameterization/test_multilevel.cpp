@@ -101,6 +101,43 @@ TEST_CASE("the kernel of a polygon")
   CHECK_FALSE(point_in_kernel(polygon({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}})));
 }
 
+TEST_CASE(
+    "a patch of which all vertices are near the border is factored however large it is, another only while it is small")
+{
+  const auto flat_grid = [](int columns, int rows) {
+    Flat_mesh mesh;
+    for(int j = 0; j <= rows; ++j)
+      for(int i = 0; i <= columns; ++i)
+        mesh.points.emplace_back(i, j, 0);
+    const auto vertex = [columns](int i, int j) { return j * (columns + 1) + i; };
+    for(int j = 0; j < rows; ++j)
+      for(int i = 0; i < columns; ++i) {
+        mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+        mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+      }
+    for(int i = 0; i < columns; ++i)
+      mesh.border.push_back(vertex(i, 0));
+    for(int j = 0; j < rows; ++j)
+      mesh.border.push_back(vertex(columns, j));
+    for(int i = columns; i > 0; --i)
+      mesh.border.push_back(vertex(i, rows));
+    for(int j = rows; j > 0; --j)
+      mesh.border.push_back(vertex(0, j));
+    return make_patch_of(mesh);
+  };
+  constexpr int DEPTH = Minimizer_numbers::LARGEST_DEPTH_FACTORED;
+  CHECK(is_near_border(flat_grid(20, 2 * DEPTH)));
+  CHECK(is_near_border(flat_grid(20, 2 * DEPTH + 1)));
+  CHECK_FALSE(is_near_border(flat_grid(20, 2 * DEPTH + 2)));
+  const auto is_factored = [](const Patch& patch) {
+    const Minimizer_levels levels(patch, Balanced_minimization(), true, {}, Coarsening::BY_HALVES);
+    return !levels.is_large(0);
+  };
+  CHECK(is_factored(flat_grid(8000, 2)));        // 24003 vertices
+  CHECK_FALSE(is_factored(flat_grid(154, 154))); // 24025
+  CHECK(is_factored(flat_grid(100, 100)));
+}
+
 TEST_CASE("coarse to fine ends where the minimizer alone ends")
 {
   for(const Patch& patch : large_patches())

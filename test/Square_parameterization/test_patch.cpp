@@ -201,3 +201,12 @@ TEST_CASE("faces without area and border edges without length get the least leng
       CHECK(2 * patch.shapes[f].area() / longest > 10 * LEAST_LENGTH);
   }
 }
+
+TEST_CASE("faces without area count with less height on a border of more than 4000 vertices")
+{
+  Patch patch;
+  patch.border.resize(4000);
+  CHECK(widened_height(patch) == LEAST_LENGTH);
+  patch.border.resize(40000);
+  CHECK(widened_height(patch) == Approx(LEAST_LENGTH / 10));
+}

@@ -32,8 +32,8 @@ struct Flat_triangle
 ///
 /// Lengths are scaled so that the area of the disk is 1, the area of the square it will be mapped to; the points are
 /// moved and scaled, not turned. A face lower than 1e-8 over its longest side counts with the shape of one that is 1e-4
-/// high, as short a border edge as 1e-4 long: take lengths and angles from `shapes`, not from `points`, where weights
-/// must stay positive and finite.
+/// high (0.4 / #B on a border of more than 4000 vertices), as short a border edge as 1e-4 long: take lengths and angles from
+/// `shapes`, not from `points`, where weights must stay positive and finite.
 struct Patch
 {
   std::vector<Eigen::Vector3d> points;            ///< one per vertex
@@ -48,6 +48,7 @@ struct Patch
   std::vector<double> vertex_areas;       ///< one per vertex, of the incident triangles
   std::vector<int> degenerate_faces;      ///< lower than `least_height`, ascending
   double least_height = 0;                ///< `DEGENERATE_HEIGHT`, or more where coordinates carry less information
+  double widened_height = 0;              ///< the height over its longest side with which a degenerate face counts
   double rounding = 0;                    ///< length below which the points carry no information
   /// \endcond
 

@@ -57,11 +57,20 @@ struct Coarse_patch
     std::size_t size() const { return first.size() - 1; }
   };
 
+  /// a vertex of the border of the fine patch
+  struct Fine_border_vertex
+  {
+    int stand_in; ///< place on the border of `patch` of the vertex, or of the one that it was collapsed into
+    int removal;  ///< place in `removals`; -1 for a vertex that stays
+  };
+
   Patch patch;
-  std::vector<int> fine_vertex;  ///< per vertex of `patch`, the one of the fine patch
-  std::vector<Removal> removals; ///< in the order in which they were made
-  std::vector<int> rings;        ///< of all removals, in one list: a list for each would take twice the memory
-  Waves waves;                   ///< of the removals
+  std::vector<int> fine_vertex; ///< per vertex of `patch`, the one of the fine patch
+  std::vector<int> fine_places; ///< per border vertex of `patch`, its place on the fine border; ascending
+  std::vector<Fine_border_vertex> fine_border; ///< per border vertex of the fine patch
+  std::vector<Removal> removals;               ///< in the order in which they were made
+  std::vector<int> rings; ///< of all removals, in one list: a list for each would take twice the memory
+  Waves waves;            ///< of the removals
 
   /// the ring of the vertex when it was taken out
   Vertex_ring ring(const Removal& removal) const

@@ -270,11 +270,26 @@ private:
     for(std::size_t f = 0; f < m_triangles.size(); ++f)
       if(m_is_alive[f])
         triangles.push_back({place[m_triangles[f][0]], place[m_triangles[f][1]], place[m_triangles[f][2]]});
-    std::vector<int> border;
-    for(int v : m_fine.border)
-      if(!m_is_removed[v])
+    coarse.patch = make_patch(std::move(points), std::move(triangles), gather_border(place, coarse));
+  }
+
+  /// the border of the coarse patch; tells the patch of the fine one
+  /// \param place of the vertices that are left, in the coarse patch
+  std::vector<int> gather_border(const std::vector<int>& place, Coarse_patch& coarse) const
+  {
+    std::vector<int> border, place_on_border(m_fine.points.size(), -1), removal(m_fine.points.size(), -1);
+    for(std::size_t k = 0; k < m_fine.border.size(); ++k)
+      if(const int v = m_fine.border[k]; !m_is_removed[v]) {
+        place_on_border[v] = static_cast<int>(border.size());
         border.push_back(place[v]);
-    coarse.patch = make_patch(std::move(points), std::move(triangles), std::move(border));
+        coarse.fine_places.push_back(static_cast<int>(k));
+      }
+    for(std::size_t i = 0; i < coarse.removals.size(); ++i)
+      removal[coarse.removals[i].vertex] = static_cast<int>(i);
+    for(int v : m_fine.border) // what it was collapsed into is left: a target stays
+      coarse.fine_border.push_back(
+          {place_on_border[removal[v] < 0 ? v : coarse.removals[removal[v]].target], removal[v]});
+    return border;
   }
 
   const Patch& m_fine;

@@ -67,6 +67,7 @@ public:
     kept.border_lengths = std::move(patch.border_lengths);
     kept.chords = std::move(patch.chords);
     kept.least_height = patch.least_height;
+    kept.widened_height = patch.widened_height;
     kept.rounding = patch.rounding;
     patch = std::move(kept);
   }
@@ -88,7 +89,7 @@ public:
   {
     Borders result{{border_uv, {}}};
     while(result.size() < size()) {
-      auto border = coarse_border((*this)[result.size() - 1], coarse(result.size()), result.back().uv);
+      auto border = coarse_border(coarse(result.size()), result.back().uv);
       if(!border)
         break;
       result.push_back(std::move(*border));

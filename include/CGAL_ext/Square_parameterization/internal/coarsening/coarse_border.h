@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -27,38 +26,26 @@ struct Coarse_border
 /// the border of a coarse patch when that of the fine one is \p border_uv (#B by 2): the vertices keep their places,
 /// but for those that stand for a corner of the square that was removed, each for the one that was collapsed into it.
 /// None when two corners fall into one vertex.
-inline std::optional<Coarse_border> coarse_border(const Patch& fine, const Coarse_patch& coarse,
-                                                  const Uv_coordinates& border_uv)
+inline std::optional<Coarse_border> coarse_border(const Coarse_patch& coarse, const Uv_coordinates& border_uv)
 {
-  if(coarse.patch.border.size() == fine.border.size())
-    return Coarse_border{border_uv, {}};
-  std::vector<std::pair<int, Eigen::RowVector2d>> corners; // vertices of the fine patch and their uv
-  const auto find = [&corners](int v) {
-    return std::find_if(corners.begin(), corners.end(), [v](const auto& corner) { return corner.first == v; });
-  };
-  const auto is_end = [](double x) { return x == 0 || x == 1; };
-  for(Eigen::Index k = 0; k < border_uv.rows(); ++k)
-    if(is_end(border_uv(k, 0)) && is_end(border_uv(k, 1)))
-      corners.emplace_back(fine.border[k], border_uv.row(k));
   Coarse_border result;
-  for(std::size_t i = 0; i < coarse.removals.size(); ++i) {
-    const auto corner = find(coarse.removals[i].vertex);
-    if(corner == corners.end())
-      continue;
-    if(find(coarse.removals[i].target) != corners.end())
-      return {};
-    corner->first = coarse.removals[i].target;
-    result.removed_corners.push_back(i);
-  }
   result.uv.resize(coarse.patch.border.size(), 2);
-  std::size_t k = 0; // the coarse border keeps the order of the fine one
-  for(std::size_t i = 0; i < coarse.patch.border.size(); ++i, ++k) {
-    const int v = coarse.fine_vertex[coarse.patch.border[i]];
-    while(fine.border[k] != v)
-      ++k;
-    const auto corner = find(v);
-    result.uv.row(i) = corner == corners.end() ? Eigen::RowVector2d(border_uv.row(k)) : corner->second;
+  for(std::size_t i = 0; i < coarse.patch.border.size(); ++i)
+    result.uv.row(i) = border_uv.row(coarse.fine_places[i]);
+  const auto is_end = [](double x) { return x == 0 || x == 1; };
+  std::vector<int> corners; // places on the coarse border
+  for(Eigen::Index k = 0; k < border_uv.rows(); ++k) {
+    if(!is_end(border_uv(k, 0)) || !is_end(border_uv(k, 1)))
+      continue;
+    const auto& [stand_in, removal] = coarse.fine_border[k];
+    if(std::find(corners.begin(), corners.end(), stand_in) != corners.end())
+      return {};
+    corners.push_back(stand_in);
+    result.uv.row(stand_in) = border_uv.row(k);
+    if(removal >= 0)
+      result.removed_corners.push_back(removal);
   }
+  std::sort(result.removed_corners.begin(), result.removed_corners.end());
   return result;
 }
 

@@ -162,6 +162,11 @@ struct Minimizer_numbers
   /// factors, whose time and memory grow faster than the patch
   static constexpr int LARGEST_FACTORED = 20000;
 
+  /// edges from a vertex to the border, at most, of a patch that is factored however large it is. Less: polygons and strips
+  /// of tens of thousands of corners, whose thin triangles no V-cycle reaches, are left far from their minimum. More: factors
+  /// of patches that are not narrow.
+  static constexpr int LARGEST_DEPTH_FACTORED = 4;
+
   // --- from coarse to fine: Multilevel_minimizer, Minimizer_levels and Coarse_to_fine_descent ---
 
   /// balance of coarse patches, at least: pure L2 stretch tears coarse maps open elsewhere than fine ones, and a little

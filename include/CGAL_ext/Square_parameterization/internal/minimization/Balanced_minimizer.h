@@ -38,7 +38,7 @@ public:
   /// where a minimization ends, if it does not converge before
   struct Limits
   {
-    unsigned int iterations;                        ///< largest number of steps, with those that the map has behind it
+    unsigned int iterations; ///< largest number of steps, with those that the map has behind it
     /// of all these steps, and of directions round triangles that are tried now, in vertices visited
     long work = (std::numeric_limits<long>::max)();
 
@@ -85,6 +85,9 @@ public:
   /// indicates whether the faces and edges of the patch that was given are not needed any more: those of a large patch are
   /// kept in another order
   bool has_own_faces() const { return m_patch.is_reordered(); }
+
+  /// indicates whether matrices are factored, so that no coarser patch is needed
+  bool is_factored() const { return m_preconditioner.is_direct(); }
 
   /// the patch as it was given
   const Patch& patch() const { return m_patch.given(); }

@@ -106,10 +106,7 @@ public:
   double coarse_balance() const { return m_coarse_balance; }
 
   /// indicates whether the coarser patches take the place of factors
-  bool is_large(std::size_t level) const
-  {
-    return level + 1 < m_patches.size() && m_patches[level].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED;
-  }
+  bool is_large(std::size_t level) const { return !m_minimizers[level]->is_factored(); }
 
   /// what the steps on the map that is delivered may cost, in vertices visited
   long most_final_work() const

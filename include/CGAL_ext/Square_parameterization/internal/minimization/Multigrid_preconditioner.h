@@ -60,6 +60,9 @@ public:
     m_coarser = &coarser;
   }
 
+  /// indicates whether it solves by factors
+  bool is_direct() const { return m_direct.has_value(); }
+
   /// takes the matrices at \p uv; false when they are singular
   bool factorize(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
                  Memory& memory) const

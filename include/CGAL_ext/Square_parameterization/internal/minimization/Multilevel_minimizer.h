@@ -115,7 +115,7 @@ public:
   /// continues with a map of `minimize()`, to the tolerance of the map that is delivered, and settles it
   Minimized_map finish(Minimized_map map) const
   {
-    if(!m_levels.is_large(0)) {
+    if(!is_large()) {
       Balanced_minimizer::Workspace workspace;
       const long work = (std::max)(m_levels.most_final_work() - map.work_of_starts, m_levels.most_final_work() / 4);
       map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance, {m_options.maximum_iterations, work},
@@ -133,6 +133,9 @@ public:
 
 private:
   const Patch_sequence& patches() const { return m_levels.patches(); }
+
+  /// indicates whether few maps are made of the patch: while the coarser ones are at hand, the first minimization is the last
+  bool is_large() const { return patches()[0].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED; }
 
   /// without uv when the map cannot be carried over
   Minimized_map sketch_from(std::size_t level, const Uv_coordinates& warm_start, double limit,
@@ -194,8 +197,7 @@ private:
   {
     const Balanced_minimizer& minimizer = m_levels.minimizer(level);
     const long relaxation = minimizer.relax(uv);
-    // of a large patch few maps are made, and the coarser ones are at hand now: the first minimization is the last
-    const bool is_last = level == 0 && m_levels.is_large(0);
+    const bool is_last = level == 0 && is_large();
     const unsigned int most_of_search =
         descent.is_lost() ? Minimizer_numbers::ITERATIONS_OF_LOST_MAP : Minimizer_numbers::SEARCH_ITERATIONS;
     const unsigned int most =

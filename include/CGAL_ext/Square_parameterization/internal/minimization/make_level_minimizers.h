@@ -69,6 +69,21 @@ inline std::vector<int> coarse_curve(const std::vector<int>& fine_curve, const C
   return curve;
 }
 
+/// indicates whether all vertices are near the border, along edges: then a few vertices divide the patch wherever it is cut in
+/// two (a planar graph of depth k has a treewidth below 3 k + 3), and its factors take linear time and memory
+inline bool is_near_border(const Patch& patch)
+{
+  std::vector<int> distance(patch.points.size(), Minimizer_numbers::LARGEST_DEPTH_FACTORED + 1);
+  for(int v : patch.border)
+    distance[v] = 0;
+  for(int reached = 0; reached < Minimizer_numbers::LARGEST_DEPTH_FACTORED; ++reached)
+    for(const auto& [a, b] : patch.edges) {
+      distance[a] = (std::min)(distance[a], distance[b] + 1);
+      distance[b] = (std::min)(distance[b], distance[a] + 1);
+    }
+  return *std::max_element(distance.begin(), distance.end()) <= Minimizer_numbers::LARGEST_DEPTH_FACTORED;
+}
+
 /// makes the minimizers of a patch and of the coarser ones, each as soon as its patch is there; those of large patches
 /// are still to be told of their coarser ones
 /// \param options of the patch itself, \p coarse_options of the others
@@ -85,7 +100,7 @@ make_level_minimizers(const Patch& finest, Coarse_patch_stream& coarser, const B
                                                 &patch == &finest ? options : coarse_options, deadline);
   };
   const auto is_to_be_factored = [](const Patch& patch) {
-    return patch.number_of_vertices() <= Minimizer_numbers::LARGEST_FACTORED;
+    return patch.number_of_vertices() <= Minimizer_numbers::LARGEST_FACTORED || is_near_border(patch);
   };
   minimizers.push_back(make(finest, !is_to_be_factored(finest)));
   while(const Coarse_patch* const coarse = coarser.next()) {

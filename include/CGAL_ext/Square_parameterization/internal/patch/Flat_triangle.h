@@ -17,7 +17,8 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the least height of a face, and the least length of a border edge, in a metric that can be mapped one-to-one, in
-/// units of sqrt(area): a degenerate face is given this height over its longest side. The points are left as they are.
+/// units of sqrt(area): a degenerate face is given this height over its longest side, or less; see `widened_height()`. The
+/// points are left as they are.
 constexpr double LEAST_LENGTH = 1e-4;
 
 /// the height, in the same units, below which a face is degenerate. Thinner ones have no maps with digits to spare.

@@ -45,6 +45,7 @@ inline Patch in_order_of(const Patch_division& division, const Patch& patch)
   }
   result.border_lengths = patch.border_lengths;
   result.least_height = patch.least_height;
+  result.widened_height = patch.widened_height;
   result.rounding = patch.rounding;
   return result;
 }

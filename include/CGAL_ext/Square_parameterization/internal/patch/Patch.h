@@ -86,7 +86,7 @@ inline Flat_triangle shape_between(const Patch& patch, int a, int b, int c)
 {
   const Eigen::Vector3d &p = patch.points[a], &q = patch.points[b], &r = patch.points[c];
   const Flat_triangle shape = flatten(p, q, r, patch.least_height);
-  return shape.y2 > 0 ? shape : widened(p, q, r, LEAST_LENGTH);
+  return shape.y2 > 0 ? shape : widened(p, q, r, patch.widened_height);
 }
 
 /// the shapes of the faces as their points have them: some have no area
@@ -118,6 +118,14 @@ inline void scale_patch(double scale, Patch& patch)
   patch.least_height *= scale;
 }
 
+/// the height over its longest side that a degenerate face is given: on a border of tens of thousands of vertices far less than
+/// the length of its edges on the square, where neighbors would be torn by more
+inline double widened_height(const Patch& patch)
+{
+  constexpr double SHARE_OF_BORDER_EDGE = 0.1;
+  return (std::min)(LEAST_LENGTH, SHARE_OF_BORDER_EDGE * 4 / double(patch.border.size()));
+}
+
 /// fills the shapes and the degenerate faces of a patch whose points are normalised, and scales it to area 1
 inline void measure_faces(Patch& patch)
 {
@@ -135,6 +143,7 @@ inline void measure_faces(Patch& patch)
     refuse_without_extent();
   scale_patch(1 / std::sqrt(area), patch);
   patch.least_height = (std::max)(DEGENERATE_HEIGHT, patch.rounding);
+  patch.widened_height = widened_height(patch);
   std::vector<char> is_degenerate(patch.triangles.size());
   for_ranges(patch.triangles.size(), [&](std::size_t begin, std::size_t end) {
     for(std::size_t f = begin; f < end; ++f) {
@@ -151,7 +160,7 @@ inline void measure_faces(Patch& patch)
   for(int f : patch.degenerate_faces) {
     const auto& [a, b, c] = patch.triangles[f];
     area -= patch.shapes[f].area();
-    patch.shapes[f] = widened(patch.points[a], patch.points[b], patch.points[c], LEAST_LENGTH);
+    patch.shapes[f] = widened(patch.points[a], patch.points[b], patch.points[c], patch.widened_height);
     area += patch.shapes[f].area();
   }
   scale_patch(1 / std::sqrt(area), patch);

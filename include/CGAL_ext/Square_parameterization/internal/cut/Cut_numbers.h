@@ -146,7 +146,7 @@ struct Cut_numbers
   /// and then: L2 + 0.05 length of 39 of 1000 random surfaces changed, and fell by three tenths in the geometric mean. More
   /// work: surfaces of a thousand faces take more than a second.
   double large_stretch = 10;
-  long times_growth_work = 6;
+  long times_growth_work = 5;
   long long_growth_work = 75000;
 
   /// `growth_work` where there are many loops: see `many_loops`

@@ -66,8 +66,8 @@ struct Cut_numbers
   int score_steps = 100;
 
   /// share of the cuts that compete, the best by the quick maps that every one gets, which are mapped roughly: most of the
-  /// others would not become the best. More: a tenth more time for all of them, for the same scores.
-  double share_scored_roughly = 0.6;
+  /// others would not become the best. More: up to a tenth more time, for scores that differ by as much either way.
+  double share_scored_roughly = 0.5;
 
   /// relative decrease of the energy at which a rough map is done: it bounds the stretch from above. Larger: the best of the
   /// cuts that compete is missed.

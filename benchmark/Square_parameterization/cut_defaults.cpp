@@ -65,7 +65,6 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"corner_candidates", &Cut_numbers::corner_candidates, 2, 16},
                                         {"start_iterations", &Cut_numbers::start_iterations, 0, 4},
                                         {"score_steps", &Cut_numbers::score_steps, 25, 400},
-                                        {"share_scored_roughly", &Cut_numbers::share_scored_roughly, 0.25, 1},
                                         {"rough_score_tolerance", &Cut_numbers::rough_score_tolerance, 1e-3, 3e-2},
                                         {"scored_well", &Cut_numbers::scored_well, 1, 10},
                                         {"score_tolerance", &Cut_numbers::score_tolerance, 1e-4, 1e-2},

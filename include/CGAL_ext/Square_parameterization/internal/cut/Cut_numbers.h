@@ -65,12 +65,8 @@ struct Cut_numbers
   /// from coarse to fine instead, since its stretch may be twice the least. Fewer: more cuts are scored that slow way.
   int score_steps = 100;
 
-  /// share of the cuts that compete, the best by the quick maps that every one gets, which are mapped roughly: most of the
-  /// others would not become the best. More: up to a tenth more time, for scores that differ by as much either way.
-  double share_scored_roughly = 0.5;
-
-  /// relative decrease of the energy at which a rough map is done: it bounds the stretch from above. Larger: the best of the
-  /// cuts that compete is missed.
+  /// relative decrease of the energy at which the rough map is done that every cut gets: it bounds the stretch from
+  /// above. Larger: the best of the cuts that compete is missed.
   double rough_score_tolerance = 1e-2;
 
   /// the best few, by their rough scores, of the cuts that compete, which are scored well

@@ -167,8 +167,7 @@ private:
 
   long most_work(long work) const { return has_map() ? work : numbers().times_work_without_map * work; }
 
-  /// scores those of the cuts that are not known yet: by quick maps, a share of them by rough ones, and the best \p number of
-  /// these at a weight well
+  /// scores those of the cuts that are not known yet: roughly, and the best \p number of them at a weight well
   std::vector<Scored_cut> score(std::vector<Scored_cut> cuts, double weight, std::size_t number)
   {
     std::vector<std::size_t> places;
@@ -187,21 +186,16 @@ private:
     });
     std::vector<std::size_t> chosen(unknown.size());
     std::iota(chosen.begin(), chosen.end(), 0);
-    const auto refine_best = [&](std::size_t count, void (Cut_scoring::*refine)()) {
-      std::stable_sort(chosen.begin(), chosen.end(),
-                       [&](std::size_t a, std::size_t b) { return Is_better{weight}(unknown[a], unknown[b]); });
-      chosen.resize((std::min)(chosen.size(), count));
-      m_team(chosen.size(), [&](std::size_t i) {
-        std::optional<Cut_scoring>& scoring = scorings[chosen[i]];
-        if(scoring && (m_known.size() + chosen[i] == 0 || !has_passed(m_deadline))) {
-          (*scoring.*refine)();
-          unknown[chosen[i]].score = scoring->score();
-        }
-      });
-    };
-    const double rough = std::ceil(numbers().share_scored_roughly * double(unknown.size()));
-    refine_best((std::max)(static_cast<std::size_t>(rough), number), &Cut_scoring::refine_roughly);
-    refine_best(number, &Cut_scoring::refine);
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](std::size_t a, std::size_t b) { return Is_better{weight}(unknown[a], unknown[b]); });
+    chosen.resize((std::min)(chosen.size(), number));
+    m_team(chosen.size(), [&](std::size_t i) {
+      std::optional<Cut_scoring>& scoring = scorings[chosen[i]];
+      if(scoring && (m_known.size() + chosen[i] == 0 || !has_passed(m_deadline))) {
+        scoring->refine();
+        unknown[chosen[i]].score = scoring->score();
+      }
+    });
     long work = 0;
     for(Scored_cut& cut : unknown) {
       work += cut.score.work;

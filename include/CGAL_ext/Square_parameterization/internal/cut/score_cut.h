@@ -123,12 +123,12 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
   return map;
 }
 
-/// scores a cut by the stretch that it leaves and by its length, in three steps: a quick map, and then a rough one, bound the
-/// stretch from above, and tell which of several cuts are worth the next step
+/// scores a cut by the stretch that it leaves and by its length, in two steps: a rough map bounds the stretch from
+/// above, and tells which of several cuts are worth a good one
 class Cut_scoring
 {
 public:
-  /// the quick map: the best of those that a cheap iteration makes for a few corners, which are kept
+  /// the rough map. Of the corners a cheap iteration tells which are mapped in earnest.
   /// \param is_persistent takes more time for a map where there seems to be none
   Cut_scoring(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options, bool is_persistent)
     : m_options(options), m_is_persistent(is_persistent)
@@ -145,24 +145,17 @@ public:
 
   const Cut_score& score() const { return m_score; }
 
-  /// goes on with the map until it is rough
-  void refine_roughly()
-  {
-    if(m_minimizer)
-      minimize(m_options.numbers.rough_score_tolerance);
-  }
-
   /// goes on with the map until its stretch is all but the least for the corners; frees its memory
   void refine()
   {
     if(!m_minimizer)
       return;
-    minimize(m_options.numbers.score_tolerance);
-    if(m_map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS)
-      try {
+    try {
+      minimize(m_options.numbers.score_tolerance);
+      if(m_map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS)
         map_slowly();
-      } catch(const Unmappable&) { // the map so far is what is known
-      }
+    } catch(const Unmappable&) { // the rough map is what is known
+    }
     m_minimizer.reset();
     m_patch.reset();
   }
@@ -188,6 +181,7 @@ private:
     balanced.aspect = m_options.aspect;
     balanced.maximum_iterations = static_cast<unsigned int>(m_options.numbers.score_steps);
     m_minimizer = std::make_unique<const Balanced_minimizer>(*m_patch, balanced, m_options.deadline);
+    minimize(m_options.numbers.rough_score_tolerance);
   }
 
   void minimize(double tolerance)

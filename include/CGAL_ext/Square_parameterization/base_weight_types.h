@@ -32,7 +32,7 @@ struct Flat_triangle
 ///
 /// Lengths are scaled so that the area of the disk is 1, the area of the square it will be mapped to; the points are
 /// moved and scaled, not turned. A face lower than 1e-8 over its longest side counts with the shape of one that is 1e-4
-/// high (0.4 / #B on a border of more than 4000 vertices), as short a border edge as 1e-4 long: take lengths and angles from
+/// high (0.4 / B on a border of B > 4000 vertices), as short a border edge as 1e-4 long: take lengths and angles from
 /// `shapes`, not from `points`, where weights must stay positive and finite.
 struct Patch
 {

@@ -130,17 +130,14 @@ private:
   /// refined, and the last few judged
   Cut decide(const Triangle_surface& surface)
   {
-    Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
-    const std::vector<Cut> cuts = grown_cuts(surface);
+    Cut_pool pool = pool_of_grown_cuts(surface);
     const std::vector<double> weights = weights_of_family(m_weight);
     long refinement_work = 0;
     for(double weight : weights)
       refinement_work += work_of_refinement(surface, weight);
     m_progress.begin_part(REFINED, double(refinement_work));
-    const long most_work = numbers().decision_work_per_vertex * surface.number_of_vertices();
-    pool.start(cuts, most_work);
     if(surface.is_disk()) // a cut that is not needed must pay
-      pool.start({Cut(surface)}, most_work);
+      pool.start({Cut(surface)}, pool.work() + work_of_decision(surface));
     for(double weight : weights) {
       Scored_cut cut = pool.best(weight);
       refine_cut(pool, weight, work_of_refinement(surface, weight), cut, m_history);
@@ -170,9 +167,10 @@ private:
     return cuts;
   }
 
-  /// good cuts of different lengths, found on a simple copy. What was grown on still simpler ones competes there, for
-  /// growth ends in one of many local minima: copies that differ end in others.
-  std::vector<Cut> grown_cuts(const Triangle_surface& surface)
+  /// cuts that are grown on a simple copy, and of these good ones of different lengths, scored on the surface; on a small one
+  /// cuts are grown themselves. What was grown on still simpler copies competes there, for growth ends in one of many local
+  /// minima: copies that differ end in others.
+  Cut_pool pool_of_grown_cuts(const Triangle_surface& surface)
   {
     const std::optional<Triangle_surface> copy =
         simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
@@ -190,9 +188,13 @@ private:
         for(Cut& cut : lifted(*simpler, simple, grown))
           starts.push_back(std::move(cut));
       }
-    m_progress.begin_part(GROWN, double(work_of_growth(grown)));
-    const std::vector<Cut> cuts = grow_family_for_long(grown, starts);
-    return copy ? lifted(grown, cuts, surface) : cuts;
+    m_progress.begin_part(GROWN, double(work_of_growth(grown) + (copy ? work_of_decision(surface) : 0)));
+    Cut_pool pool_of_grown = grown_pool_for_long(grown, starts);
+    if(!copy)
+      return pool_of_grown;
+    Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
+    pool.start(lifted(grown, pool_of_grown.selection(m_weight), surface), work_of_decision(surface));
+    return pool;
   }
 
   /// between the simplest and the one that is grown on at last
@@ -209,9 +211,9 @@ private:
     return pool.selection(m_weight);
   }
 
-  /// the same; where the best of them still leaves much stretch they grow for longer, on a surface so small that it may be for
-  /// twice as long at least
-  std::vector<Cut> grow_family_for_long(const Triangle_surface& surface, const std::vector<Cut>& starts)
+  /// all that are grown; where the best of them still leaves much stretch they grow for longer, on a surface so small that it may
+  /// be for twice as long at least
+  Cut_pool grown_pool_for_long(const Triangle_surface& surface, const std::vector<Cut>& starts)
   {
     Cut_pool pool = grown_pool(surface, starts);
     const long work = work_of_growth(surface),
@@ -219,7 +221,7 @@ private:
     if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()) &&
        long_work >= 2 * work)
       grow(pool, long_work);
-    return pool.selection(m_weight);
+    return pool;
   }
 
   Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Cut>& starts)
@@ -247,6 +249,12 @@ private:
   {
     m_team(cuts.size(), [&](std::size_t i) { cuts[i] = lift_cut(simple, cuts[i], surface, numbers()); });
     return cuts;
+  }
+
+  /// what the scores of cuts that are carried over may cost, in vertices mapped
+  long work_of_decision(const Triangle_surface& surface) const
+  {
+    return numbers().decision_work_per_vertex * surface.number_of_vertices();
   }
 
   /// what it may cost to refine a cut for a weight, in vertices mapped

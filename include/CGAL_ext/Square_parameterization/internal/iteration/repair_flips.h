@@ -121,26 +121,26 @@ private:
   /// triangles are bad then
   void move(int v)
   {
-    std::vector<Eigen::RowVector2d> ring;
+    m_ring_uv.clear();
     for(int w : ring_of(v))
-      ring.push_back(m_uv.row(w));
+      m_ring_uv.push_back(m_uv.row(w));
     Eigen::RowVector2d mean(0, 0);
-    for(const Eigen::RowVector2d& p : ring)
-      mean += p / ring.size();
+    for(const Eigen::RowVector2d& p : m_ring_uv)
+      mean += p / m_ring_uv.size();
     const Eigen::RowVector2d position = m_uv.row(v);
-    m_uv.row(v) = point_in_kernel(ring).value_or(mean);
+    m_uv.row(v) = point_in_kernel(m_ring_uv).value_or(mean);
     long before = 0, after = 0;
-    std::vector<bool> is_bad_now;
+    m_is_bad_now.clear();
     for(int f : m_star[v]) {
-      is_bad_now.push_back(is_bad(f));
+      m_is_bad_now.push_back(is_bad(f));
       before += m_is_bad[f];
-      after += is_bad_now.back();
+      after += m_is_bad_now.back();
     }
     if(after > before)
       m_uv.row(v) = position;
     else
-      for(std::size_t i = 0; i < is_bad_now.size(); ++i)
-        m_is_bad[m_star[v][i]] = is_bad_now[i];
+      for(std::size_t i = 0; i < m_is_bad_now.size(); ++i)
+        m_is_bad[m_star[v][i]] = m_is_bad_now[i];
   }
 
   const std::vector<std::array<int, 3>>& m_triangles;
@@ -148,8 +148,10 @@ private:
   std::vector<std::vector<int>> m_star;  // per vertex, its triangles
   std::vector<std::vector<int>> m_rings; // per vertex, its neighbors; empty until they are asked for
   std::vector<bool> m_is_border;
-  std::vector<bool> m_is_bad;   // per triangle
-  std::vector<bool> m_is_found; // per vertex, while vertices are collected
+  std::vector<bool> m_is_bad;                // per triangle
+  std::vector<bool> m_is_found;              // per vertex, while vertices are collected
+  std::vector<Eigen::RowVector2d> m_ring_uv; // memory of `move()`
+  std::vector<bool> m_is_bad_now;            // the same: per triangle of a star
   long m_work = 0;
 };
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -30,16 +32,23 @@ inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen
   const Eigen::Vector2d low = box.min(), high = box.max();
   std::vector<Eigen::RowVector2d> kernel{Eigen::RowVector2d(low.x(), low.y()), Eigen::RowVector2d(high.x(), low.y()),
                                          Eigen::RowVector2d(high.x(), high.y()), Eigen::RowVector2d(low.x(), high.y())};
+  std::vector<Eigen::RowVector2d> rest;
+  std::vector<double> areas;                        // of side i and each corner of the kernel
   for(std::size_t i = 0; i < polygon.size(); ++i) { // cuts off what is right of side i
     const Eigen::RowVector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    std::vector<Eigen::RowVector2d> rest;
+    areas.clear();
+    for(const Eigen::RowVector2d& p : kernel)
+      areas.push_back(twice_area(a, b, p));
+    if(std::all_of(areas.begin(), areas.end(), [](double area) { return area >= 0; }))
+      continue;
+    rest.clear();
     for(std::size_t j = 0; j < kernel.size(); ++j) {
-      const Eigen::RowVector2d &p = kernel[j], &q = kernel[(j + 1) % kernel.size()];
-      const double at_p = twice_area(a, b, p), at_q = twice_area(a, b, q);
+      const std::size_t next = (j + 1) % kernel.size();
+      const double at_p = areas[j], at_q = areas[next];
       if(at_p >= 0)
-        rest.push_back(p);
+        rest.push_back(kernel[j]);
       if((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
-        rest.push_back(p + at_p / (at_p - at_q) * (q - p));
+        rest.push_back(kernel[j] + at_p / (at_p - at_q) * (kernel[next] - kernel[j]));
     }
     kernel.swap(rest);
     if(kernel.size() < 3)

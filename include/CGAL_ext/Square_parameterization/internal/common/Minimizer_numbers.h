@@ -188,10 +188,6 @@ struct Minimizer_numbers
   static constexpr double SMALL_REFINEMENT = 1.2;
   static constexpr int LEAST_REFINED = 1000;
 
-  /// the same after a coarser patch whose map is stretched a thousand times. More: surfaces of a thousand faces take half a
-  /// second for a map that is as hopeless.
-  static constexpr unsigned int ITERATIONS_AFTER_HOPELESS_MAP = 20;
-
   /// the same once a map has cost as much as that which is delivered may (`MOST_FINAL_SWEEPS`), and is hopeless: polygons
   /// with thousands of spikes take seconds for a map that is stretched thousands of times, or tens of thousands
   static constexpr unsigned int ITERATIONS_OF_LOST_MAP = 10;

@@ -106,8 +106,6 @@ private:
       return Minimizer_numbers::ITERATIONS_OF_LOST_MAP;
     if(m_levels.is_start(level))
       return Minimizer_numbers::COARSE_ITERATIONS;
-    if(m_energy > Minimizer_numbers::HOPELESS_RESULT)
-      return Minimizer_numbers::ITERATIONS_AFTER_HOPELESS_MAP;
     const int coarser = patches[level + 1].number_of_vertices();
     const bool is_small_refinement =
         coarser >= Minimizer_numbers::LEAST_REFINED &&

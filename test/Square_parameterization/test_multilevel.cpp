@@ -105,25 +105,7 @@ TEST_CASE(
     "a patch of which all vertices are near the border is factored however large it is, another only while it is small")
 {
   const auto flat_grid = [](int columns, int rows) {
-    Flat_mesh mesh;
-    for(int j = 0; j <= rows; ++j)
-      for(int i = 0; i <= columns; ++i)
-        mesh.points.emplace_back(i, j, 0);
-    const auto vertex = [columns](int i, int j) { return j * (columns + 1) + i; };
-    for(int j = 0; j < rows; ++j)
-      for(int i = 0; i < columns; ++i) {
-        mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-        mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-      }
-    for(int i = 0; i < columns; ++i)
-      mesh.border.push_back(vertex(i, 0));
-    for(int j = 0; j < rows; ++j)
-      mesh.border.push_back(vertex(columns, j));
-    for(int i = columns; i > 0; --i)
-      mesh.border.push_back(vertex(i, rows));
-    for(int j = rows; j > 0; --j)
-      mesh.border.push_back(vertex(0, j));
-    return make_patch_of(mesh);
+    return make_patch_of(rectangle(columns, rows, columns, rows, 1));
   };
   constexpr int DEPTH = Minimizer_numbers::LARGEST_DEPTH_FACTORED;
   CHECK(is_near_border(flat_grid(20, 2 * DEPTH)));

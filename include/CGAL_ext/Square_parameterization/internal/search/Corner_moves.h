@@ -101,6 +101,12 @@ public:
     return best;
   }
 
+  /// moves corners downhill from afar, with a first step of an eighth of the border: by likely moves on the square
+  Choice descend_from_afar(const Corners& corners, bool is_square)
+  {
+    return descend(corners, size() / 8, is_square ? LIKELY : ALL);
+  }
+
   /// moves corners downhill, but only where another, rougher objective does not rise much
   Choice descend_where_likely(const Corners& corners, int first_step, Corner_moves& rough)
   {

@@ -122,12 +122,11 @@ private:
     if(!is_square)
       for(const Corner_choice& choice : moves.best_of_spread())
         starts.push_back(choice.corners);
-    const int first_step = static_cast<int>(m_patch.border.size()) / 8;
     std::set<Corners> ends;
     for(const Corners& corners : starts)
-      ends.insert(moves.descend(corners, first_step, is_square ? Corner_moves::LIKELY : Corner_moves::ALL).corners);
+      ends.insert(moves.descend_from_afar(corners, is_square).corners);
     if(is_square && has_other_valleys() && !is_exhausted())
-      if(const auto end = end_in_other_valley(moves.compare({start}).front(), first_step, is_exhausted))
+      if(const auto end = end_in_other_valley(moves.compare({start}).front(), is_exhausted))
         ends.insert(*end);
     ends.erase(start);
     return {ends.begin(), ends.end()};
@@ -142,14 +141,13 @@ private:
 
   /// where the corners of the candidate whose rough map is best come to rest, if that is much better than the start's. Its
   /// moves remember nothing of those of the start: objectives that are larger than the start's one are only near.
-  std::optional<Corners> end_in_other_valley(const Corner_choice& start, int first_step,
-                                             const std::function<bool()>& is_exhausted)
+  std::optional<Corners> end_in_other_valley(const Corner_choice& start, const std::function<bool()>& is_exhausted)
   {
     Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps), is_exhausted);
     const Corner_choice other = moves.compare(corners_of_spread_candidates(m_patch.border_lengths), &start).front();
     if(other.objective >= (1 - MUCH_LOWER) * start.objective)
       return {};
-    return moves.descend(other.corners, first_step, Corner_moves::LIKELY).corners;
+    return moves.descend_from_afar(other.corners, true).corners;
   }
 
   /// keeps the choice with the best sketch, moved to where the sketch is best, if that is better than the one of the

@@ -51,10 +51,8 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
   if(!is_square)
     for(const Corner_choice& choice : moves.best_of_spread())
       starts.push_back(choice);
-  const int first_step = static_cast<int>(patch.border.size()) / 8;
   for(const Corner_choice& start : starts)
-    best = (std::min)(best,
-                      moves.descend(start.corners, first_step, is_square ? Corner_moves::LIKELY : Corner_moves::ALL));
+    best = (std::min)(best, moves.descend_from_afar(start.corners, is_square));
   return best.corners;
 }
 

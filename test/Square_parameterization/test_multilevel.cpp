@@ -113,7 +113,7 @@ TEST_CASE(
   CHECK_FALSE(is_near_border(flat_grid(20, 2 * DEPTH + 2)));
   const auto is_factored = [](const Patch& patch) {
     const Minimizer_levels levels(patch, Balanced_minimization(), true, {}, Coarsening::BY_HALVES);
-    return !levels.is_large(0);
+    return levels.is_factored(0);
   };
   CHECK(is_factored(flat_grid(8000, 2)));        // 24003 vertices
   CHECK_FALSE(is_factored(flat_grid(154, 154))); // 24025

@@ -68,7 +68,7 @@ public:
   {
     const Patch_sequence& patches = m_levels.patches();
     for(; level > to && uv.rows() > 0; --level) {
-      if(!m_levels.is_large(level) && level + 1 < patches.size()) // it is factored itself
+      if(m_levels.is_factored(level) && level + 1 < patches.size())
         m_workspace.levels[level + 1].preconditioner.factors.reset();
       const Balanced_minimizer& minimizer = m_levels.minimizer(level);
       m_work += minimizer.relax(uv);

@@ -66,7 +66,7 @@ public:
         m_minimizers = make_level_minimizers(patch, stream, options, coarse_options, deadline);
     });
     Thread_team::current()(m_patches.size(), [this](std::size_t level) {
-      if(is_large(level))
+      if(!is_factored(level))
         m_minimizers[level]->set_coarser(m_patches.coarse(level + 1), *m_minimizers[level + 1]);
     });
     m_transports.resize(m_patches.size());
@@ -105,8 +105,8 @@ public:
   /// of the energy that is minimised on coarse patches
   double coarse_balance() const { return m_coarse_balance; }
 
-  /// indicates whether the coarser patches take the place of factors
-  bool is_large(std::size_t level) const { return !m_minimizers[level]->is_factored(); }
+  /// indicates whether the matrices of a patch are factored; else the coarser patches take the place of factors
+  bool is_factored(std::size_t level) const { return m_minimizers[level]->is_factored(); }
 
   /// what the steps on the map that is delivered may cost, in vertices visited
   long most_final_work() const

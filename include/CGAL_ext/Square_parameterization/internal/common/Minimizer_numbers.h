@@ -188,9 +188,15 @@ struct Minimizer_numbers
   static constexpr double SMALL_REFINEMENT = 1.2;
   static constexpr int LEAST_REFINED = 1000;
 
-  /// the same once a map has cost as much as that which is delivered may (`MOST_FINAL_SWEEPS`), and is hopeless: polygons
-  /// with thousands of spikes take seconds for a map that is stretched thousands of times, or tens of thousands
+  /// the same once a map has cost too much, and is hopeless: polygons with thousands of spikes take seconds for a map that is
+  /// stretched thousands of times, or tens of thousands
   static constexpr unsigned int ITERATIONS_OF_LOST_MAP = 10;
+
+  /// what a hopeless map may cost until then, in sweeps over the mesh; or in vertices visited, where that is more. Less:
+  /// surfaces whose maps are led out of a stretch of hundreds in the end are given few steps; more: surfaces of a thousand
+  /// faces take more than a second, in vain. At most what the steps on the delivered map may cost (`MOST_FINAL_SWEEPS`).
+  static constexpr long MOST_HOPELESS_SWEEPS = 1500;
+  static constexpr long LEAST_HOPELESS_WORK = 2000000;
 
   /// steps on the mesh itself at most while candidates for the corners are compared: a bound on the time. Fewer: maps
   /// stretched tens of times are compared before they are comparable.

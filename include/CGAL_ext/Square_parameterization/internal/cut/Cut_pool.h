@@ -179,7 +179,7 @@ private:
         unknown.push_back(cut);
     }
     std::vector<std::optional<Cut_scoring>> scorings(unknown.size());
-    const bool is_persistent = !has_map();
+    const bool is_persistent = m_known.empty(); // where the first cut has no map, others hardly ever do
     m_team(unknown.size(), [&](std::size_t i) {
       if(m_known.size() + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
         unknown[i].score = scorings[i].emplace(m_surface, unknown[i].cut, m_scoring, is_persistent).score();

@@ -35,7 +35,7 @@ public:
   long work() const { return m_work; }
 
   /// indicates whether it has cost much, and has come to a map that is hopeless: few steps are spent on it
-  bool is_lost() const { return m_energy > Minimizer_numbers::HOPELESS && m_work > m_levels.most_final_work(); }
+  bool is_lost() const { return m_energy > Minimizer_numbers::HOPELESS && m_work > m_levels.most_hopeless_work(); }
 
   /// the map of the warm level, if that was passed; it is moved out
   Uv_coordinates take_warm_start() { return std::move(m_warm_start); }

@@ -115,6 +115,13 @@ public:
            long((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::LEAST_FINAL_VERTICES));
   }
 
+  /// what a map may cost that is hopeless, in vertices visited, until few steps are spent on it
+  long most_hopeless_work() const
+  {
+    const long sweeps = Minimizer_numbers::MOST_HOPELESS_SWEEPS * long(m_patches[0].number_of_vertices());
+    return (std::min)(most_final_work(), (std::max)(sweeps, Minimizer_numbers::LEAST_HOPELESS_WORK));
+  }
+
   /// makes room for a new map
   void prepare(Workspace& workspace) const
   {

@@ -11,6 +11,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <vector>
 
 using namespace CGAL_ext;
@@ -480,6 +481,24 @@ TEST_CASE("cuts to begin with are scored as long as there is work left, and the 
   const long some = work_of(cuts.size(), (all + work_of(1, 0)) / 2);
   CHECK(work_of(1, 0) < some);
   CHECK(some < all);
+}
+
+TEST_CASE("where no cut has a map, small steps of coarsening are tried for the first one alone")
+{
+  const Triangle_surface surface = surface_of(crumpled_tube(1000, 2));
+  std::vector<Cut> cuts{Cut(surface), Cut(surface)};
+  insert_path(surface, shortest_paths(surface, {0}), 40, cuts.back());
+  const Cut_score_options options;
+  const auto score = [&](std::size_t i, bool is_persistent) {
+    return Cut_scoring(surface, cuts[i], options, is_persistent).score();
+  };
+  REQUIRE(std::isinf(score(0, true).stretch));
+  REQUIRE(score(1, false).work < score(1, true).work);
+  Thread_team team(1);
+  Cut_progress progress(nullptr);
+  Cut_pool pool(surface, options, 1e9, team, {}, progress);
+  pool.start(cuts, 1000 * surface.number_of_vertices());
+  CHECK(pool.work() == score(0, true).work + score(1, false).work);
 }
 
 TEST_CASE("a cut is refined unless it leaves too much stretch, or a score costs more than the refinement may")

@@ -5,6 +5,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <catch2/catch.hpp>
@@ -58,6 +59,23 @@ TEST_CASE("the orientation of triangles is that of CGAL's exact predicate")
     CHECK(left_turns > TRIANGLES / 10);
     CHECK(left_turns < TRIANGLES * 9 / 10);
   }
+}
+
+TEST_CASE("the area of triangles that are nearly flat is that of exact arithmetic")
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
+  Random_numbers random(2);
+  int rounded_wrong = 0;
+  for(double scale : {1., 1e-8, 1e8, 1e-140, 1e140})
+    for(int k = 0; k < 300; ++k) {
+      const Uv_coordinates uv = scale * nearly_flat_triangle(random);
+      const auto point = [&uv](int v) { return Kernel::Point_2(uv(v, 0), uv(v, 1)); };
+      const double expected = 2 * CGAL::to_double(CGAL::area(point(0), point(1), point(2)));
+      CHECK(accurate_twice_area(uv.row(0), uv.row(1), uv.row(2)) == Approx(expected).epsilon(1e-11).margin(1e-300));
+      const Eigen::RowVector2d a = uv.row(1) - uv.row(0), b = uv.row(2) - uv.row(0);
+      rounded_wrong += std::abs(a.x() * b.y() - b.x() * a.y() - expected) > 1e-3 * std::abs(expected);
+    }
+  CHECK(rounded_wrong > 1000); // of 1500: what floating-point numbers make of such areas
 }
 
 TEST_CASE("a triangle with a coordinate that is not finite is not counter-clockwise")

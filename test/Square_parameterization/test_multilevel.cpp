@@ -120,6 +120,19 @@ TEST_CASE(
   CHECK(is_factored(flat_grid(100, 100)));
 }
 
+TEST_CASE(
+    "a hopeless map may cost sweeps over the mesh, more of a small one, and no more than the steps on a delivered map")
+{
+  const auto check = [](int cells, const auto& expected) {
+    const Patch patch = make_patch_of(rectangle(cells, cells, cells, cells, 1));
+    const Minimizer_levels levels(patch, Balanced_minimization(), true, {}, Coarsening::BY_HALVES);
+    CHECK(levels.most_hopeless_work() == expected(levels, patch.number_of_vertices()));
+  };
+  check(20, [](const Minimizer_levels&, long) { return Minimizer_numbers::LEAST_HOPELESS_WORK; });
+  check(50, [](const Minimizer_levels&, long vertices) { return Minimizer_numbers::MOST_HOPELESS_SWEEPS * vertices; });
+  check(100, [](const Minimizer_levels& levels, long) { return levels.most_final_work(); });
+}
+
 TEST_CASE("coarse to fine ends where the minimizer alone ends")
 {
   for(const Patch& patch : large_patches())

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <cmath>
 #include <limits>
@@ -44,17 +45,17 @@ struct Inverse_differential
   double l2_squared() const { return (across.squaredNorm() + along.squaredNorm()) / 2; }
 };
 
-/// computes the differential of one triangle.
+/// computes the differential of one triangle, of which twice the signed uv area is known.
 ///
 /// With the surface edges a = (x1, 0), b = (x2, y2) and the uv edges da, db from the first corner,
 /// D Ss = a tb - b ta and D St = b sa - a sb, so D^2 (|Ss|^2 + |St|^2) = |x1 db - x2 da|^2 + y2^2 |da|^2:
 /// a sum of squares, exact for slivers where the expansion in scalar products cancels.
 inline Inverse_differential inverse_differential(const Flat_triangle& shape, const Uv_coordinates& uv,
-                                                 const std::array<int, 3>& t)
+                                                 const std::array<int, 3>& t, double twice_area)
 {
   const Eigen::RowVector2d da = uv.row(t[1]) - uv.row(t[0]), db = uv.row(t[2]) - uv.row(t[0]);
   Inverse_differential result;
-  result.determinant = da.x() * db.y() - db.x() * da.y();
+  result.determinant = twice_area;
   if(result.is_counter_clockwise()) {
     result.across = (shape.x1 * db - shape.x2 * da) / result.determinant;
     result.along = shape.y2 * da / result.determinant;
@@ -65,15 +66,16 @@ inline Inverse_differential inverse_differential(const Flat_triangle& shape, con
 /// L2(T)^2; infinite unless the uv triangle is counter-clockwise
 inline double l2_squared(const Flat_triangle& shape, const Uv_coordinates& uv, const std::array<int, 3>& t)
 {
-  const Inverse_differential differential = inverse_differential(shape, uv, t);
+  const Inverse_differential differential = inverse_differential(shape, uv, t, twice_uv_area(uv, t));
   return differential.is_counter_clockwise() ? differential.l2_squared() : std::numeric_limits<double>::infinity();
 }
 
-/// computes the stretch of one triangle
+/// computes the stretch of one triangle, however thin it is in the plane
 inline Triangle_stretch triangle_stretch(const Flat_triangle& shape, const Uv_coordinates& uv,
                                          const std::array<int, 3>& t)
 {
-  const Inverse_differential differential = inverse_differential(shape, uv, t);
+  const double twice_area = accurate_twice_area(uv.row(t[0]), uv.row(t[1]), uv.row(t[2]));
+  const Inverse_differential differential = inverse_differential(shape, uv, t, twice_area);
   const double uv_area = differential.determinant / 2;
   if(!differential.is_counter_clockwise())
     return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), uv_area};

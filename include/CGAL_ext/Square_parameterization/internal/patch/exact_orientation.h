@@ -20,6 +20,10 @@ typedef Eigen::RowVector2d Uv_point;
 /// is not finite.
 int orientation(const Uv_point& p, const Uv_point& q, const Uv_point& r);
 
+/// twice the signed area of the triangle of \p p, \p q and \p r, with a relative error below 1e-11, however thin it is. As
+/// floating-point numbers give it when a coordinate is not finite.
+double accurate_twice_area(const Uv_point& p, const Uv_point& q, const Uv_point& r);
+
 /// indicates whether the uv triangle \p t is counter-clockwise, exactly
 bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t);
 

@@ -30,15 +30,47 @@ inline CGAL::MP_Float exact_twice_area(const Uv_point& p, const Uv_point& q, con
   return side(q, 0) * side(r, 1) - side(q, 1) * side(r, 0);
 }
 
+inline bool are_finite(const Uv_point& p, const Uv_point& q, const Uv_point& r)
+{
+  return p.allFinite() && q.allFinite() && r.allFinite();
+}
+
+/// twice the signed area of a triangle in floating-point numbers
+struct Rounded_twice_area
+{
+  Rounded_twice_area(const Uv_point& p, const Uv_point& q, const Uv_point& r)
+  {
+    const double left = (q[0] - p[0]) * (r[1] - p[1]), right = (q[1] - p[1]) * (r[0] - p[0]);
+    value = left - right;
+    magnitude = std::abs(left) + std::abs(right);
+  }
+
+  /// indicates whether the relative error is below a bound, surely
+  bool is_accurate(double relative_error) const
+  {
+    // Shewchuk 1997, orient2d's first error bound: three roundings each of the products, one of the difference
+    constexpr double EPSILON = std::numeric_limits<double>::epsilon() / 2, BOUND = (3 + 16 * EPSILON) * EPSILON;
+    return std::isfinite(magnitude) && magnitude >= MAGNITUDE_WITHOUT_UNDERFLOW &&
+           std::abs(value) * relative_error > BOUND * magnitude;
+  }
+
+  double value, magnitude;
+};
+
 CGAL_EXT_INLINE_FUNCTION int orientation(const Uv_point& p, const Uv_point& q, const Uv_point& r)
 {
-  const double left = (q[0] - p[0]) * (r[1] - p[1]), right = (q[1] - p[1]) * (r[0] - p[0]);
-  const double twice_area = left - right, magnitude = std::abs(left) + std::abs(right);
-  // Shewchuk 1997, orient2d's first error bound: three roundings each of the products, one of the difference
-  constexpr double EPSILON = std::numeric_limits<double>::epsilon() / 2, BOUND = (3 + 16 * EPSILON) * EPSILON;
-  if(std::isfinite(magnitude) && magnitude >= MAGNITUDE_WITHOUT_UNDERFLOW && std::abs(twice_area) > BOUND * magnitude)
-    return twice_area > 0 ? 1 : -1;
-  return p.allFinite() && q.allFinite() && r.allFinite() ? static_cast<int>(exact_twice_area(p, q, r).sign()) : 0;
+  const Rounded_twice_area rounded(p, q, r);
+  if(rounded.is_accurate(1))
+    return rounded.value > 0 ? 1 : -1;
+  return are_finite(p, q, r) ? static_cast<int>(exact_twice_area(p, q, r).sign()) : 0;
+}
+
+CGAL_EXT_INLINE_FUNCTION double accurate_twice_area(const Uv_point& p, const Uv_point& q, const Uv_point& r)
+{
+  constexpr double RELATIVE_ERROR = 1e-11;
+  const Rounded_twice_area rounded(p, q, r);
+  return rounded.is_accurate(RELATIVE_ERROR) || !are_finite(p, q, r) ? rounded.value
+                                                                     : CGAL::to_double(exact_twice_area(p, q, r));
 }
 
 CGAL_EXT_INLINE_FUNCTION bool is_counterclockwise(const Uv_coordinates& uv, const std::array<int, 3>& t)

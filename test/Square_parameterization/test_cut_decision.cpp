@@ -485,7 +485,8 @@ TEST_CASE("cuts to begin with are scored as long as there is work left, and the 
 
 TEST_CASE("where no cut has a map, small steps of coarsening are tried for the first one alone")
 {
-  const Triangle_surface surface = surface_of(crumpled_tube(1000, 2));
+  const Flat_mesh tube = crumpled_tube(1000, 2);
+  const Triangle_surface surface = surface_of(Closed_mesh{tube.points, tube.triangles});
   std::vector<Cut> cuts{Cut(surface), Cut(surface)};
   insert_path(surface, shortest_paths(surface, {0}), 40, cuts.back());
   const Cut_score_options options;

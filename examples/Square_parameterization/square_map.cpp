@@ -118,6 +118,27 @@ void check_corners(const Job& job)
                           counted(job.input_vertices, "vertex", "vertices") + ", counted from 0");
 }
 
+/// maps the mesh by as many threads as there is memory for: each needs some of its own
+void map_by_threads_with_room(Job& job)
+{
+  CGAL_ext::Square_map_options<Mesh>& options = job.line.options;
+  auto& threads = options.search_options.number_of_threads;
+  const auto map = [&] {
+    job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(options));
+  };
+  const std::size_t threads_that_fit = threads_with_room(job.mesh.number_of_vertices());
+  if(threads_that_fit < CGAL_ext::internal::number_of_threads(threads))
+    threads = static_cast<unsigned int>(threads_that_fit);
+  try {
+    map();
+  } catch(const std::bad_alloc&) {
+    if(threads == 1)
+      throw;
+    threads = 1;
+    map();
+  }
+}
+
 /// maps the mesh. Throws for corners that are none; other failures are in the status of the result.
 void map_mesh(Job& job, Progress& progress)
 {
@@ -129,7 +150,7 @@ void map_mesh(Job& job, Progress& progress)
   if(curve)
     line.options.search = curve->search(line.options.search);
   line.options.search_options.visitor = &progress;
-  job.result = CGAL_ext::parameterize_onto_square(job.mesh, job.uv, CGAL_ext::parameters::options(line.options));
+  map_by_threads_with_room(job);
   line.options.search_options.visitor = nullptr;
   if(line.corners && job.result.status == CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER)
     refuse_corners(*line.corners, job.result);

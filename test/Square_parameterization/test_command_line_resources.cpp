@@ -76,8 +76,9 @@ TEST_CASE("lack of memory ends in a sentence, and nothing is left")
   const Temporary_folder folder;
   const std::string input = folder.add("in.off", off(sheet(40, 40)));
   std::set<int> statuses;
-  for(rlim_t megabytes = 6; megabytes <= 60; megabytes += 3)
-    for(const char* threads : {"1", "16"}) {
+  for(rlim_t megabytes = 6; megabytes <= 60; megabytes += 3) {
+    int status_of_one_thread = DONE;
+    for(const std::string threads : {"1", "16"}) {
       const Finished_process result =
           square_map({input, "-q", "-o", folder / "map.obj", "--json", folder / "report.json", "--threads", threads},
                      "", limited(RLIMIT_AS, megabytes << 20));
@@ -90,9 +91,13 @@ TEST_CASE("lack of memory ends in a sentence, and nothing is left")
         CHECK(is_one_message(result.err, "not enough memory"));
         CHECK(folder.file_names() == std::set<std::string>{"in.off"});
       }
+      if(threads == "1")
+        status_of_one_thread = result.status;
+      CHECK(result.status == status_of_one_thread); // where one thread has room the others do without
       std::filesystem::remove(folder / "map.obj");
       std::filesystem::remove(folder / "report.json");
     }
+  }
   CHECK(statuses == std::set<int>{DONE, UNMAPPABLE}); // both were met
 }
 #endif

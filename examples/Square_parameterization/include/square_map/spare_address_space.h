@@ -5,8 +5,12 @@
 #define SQUARE_MAP_SPARE_ADDRESS_SPACE_H
 
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <fstream>
+#include <limits>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -37,6 +41,29 @@ inline void spare_address_space()
     pthread_setattr_default_np(&attributes);
   pthread_attr_destroy(&attributes);
 #endif
+}
+
+/// the number of threads that a limit of the address space or the data leaves room for: one, and another for each part of what is
+/// left now that maps a surface of so many vertices. Larger than any number without a limit, and where there is no /proc.
+inline std::size_t threads_with_room(std::size_t vertices)
+{
+  const rlim_t room_for_a_thread = (12 << 20) + 3072 * static_cast<rlim_t>(vertices); // bytes, its stack with them
+  rlim_t address_space = 0, data = 0, unused = 0;                                    // in use, in pages
+  std::ifstream sizes("/proc/self/statm");
+  sizes >> address_space >> unused >> unused >> unused >> unused >> data;
+  std::size_t threads = std::numeric_limits<std::size_t>::max();
+  const auto respect = [&](auto resource, rlim_t pages) {
+    rlimit limit = {};
+    if(getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+      return;
+    const rlim_t used = std::min(limit.rlim_cur, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)));
+    threads = std::min(threads, static_cast<std::size_t>(1 + (limit.rlim_cur - used) / room_for_a_thread));
+  };
+  if(sizes) {
+    respect(RLIMIT_AS, address_space);
+    respect(RLIMIT_DATA, data);
+  }
+  return threads;
 }
 
 } // namespace square_map

@@ -34,7 +34,9 @@ extern "C" inline void square_map_end_by_signal(int signal)
   static std::atomic<bool> was_passed_over{false};
   Run_phase phase = Run_phase::WORKING;
   run_phase.compare_exchange_strong(phase, Run_phase::ENDING);
-  const bool is_first = !was_passed_over && phase != Run_phase::WORKING && phase != Run_phase::ENDING;
+  if(phase == Run_phase::ENDING)
+    return; // another thread is at it, and has its message still to write
+  const bool is_first = !was_passed_over && phase != Run_phase::WORKING;
   if(is_first || phase == Run_phase::COMMITTING) {
     was_passed_over = true;
     return;

@@ -4,12 +4,12 @@
 #ifndef SQUARE_MAP_MEMORY_LIMIT_H
 #define SQUARE_MAP_MEMORY_LIMIT_H
 
+#include "Memory_in_use.h"
+
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 
 namespace square_map {
 
@@ -20,12 +20,11 @@ class Memory_limit
 public:
   explicit Memory_limit(std::size_t bytes)
   {
-    rlim_t pages = 0; // in use
-    std::ifstream("/proc/self/statm") >> pages;
-    if(pages == 0 || getrlimit(RLIMIT_AS, &m_before) != 0)
+    const rlim_t used = Memory_in_use().address_space;
+    if(used == 0 || getrlimit(RLIMIT_AS, &m_before) != 0)
       return;
     rlimit limit = m_before;
-    limit.rlim_cur = std::min(limit.rlim_cur, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + bytes);
+    limit.rlim_cur = std::min(limit.rlim_cur, used + bytes);
     m_is_set = setrlimit(RLIMIT_AS, &limit) == 0;
   }
 

@@ -4,12 +4,12 @@
 #ifndef SQUARE_MAP_SPARE_ADDRESS_SPACE_H
 #define SQUARE_MAP_SPARE_ADDRESS_SPACE_H
 
+#include "Memory_in_use.h"
+
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <limits>
 
 #ifdef __GLIBC__
@@ -48,21 +48,17 @@ inline void spare_address_space()
 inline std::size_t threads_with_room(std::size_t vertices)
 {
   const rlim_t room_for_a_thread = (12 << 20) + 3072 * static_cast<rlim_t>(vertices); // bytes, its stack with them
-  rlim_t address_space = 0, data = 0, unused = 0;                                    // in use, in pages
-  std::ifstream sizes("/proc/self/statm");
-  sizes >> address_space >> unused >> unused >> unused >> unused >> data;
+  const Memory_in_use in_use;
   std::size_t threads = std::numeric_limits<std::size_t>::max();
-  const auto respect = [&](auto resource, rlim_t pages) {
+  const auto respect = [&](auto resource, rlim_t used) {
     rlimit limit = {};
-    if(getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    if(used == 0 || getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
       return;
-    const rlim_t used = std::min(limit.rlim_cur, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)));
-    threads = std::min(threads, static_cast<std::size_t>(1 + (limit.rlim_cur - used) / room_for_a_thread));
+    const rlim_t left = limit.rlim_cur - std::min(limit.rlim_cur, used);
+    threads = std::min(threads, static_cast<std::size_t>(1 + left / room_for_a_thread));
   };
-  if(sizes) {
-    respect(RLIMIT_AS, address_space);
-    respect(RLIMIT_DATA, data);
-  }
+  respect(RLIMIT_AS, in_use.address_space);
+  respect(RLIMIT_DATA, in_use.data);
   return threads;
 }
 

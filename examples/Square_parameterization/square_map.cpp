@@ -47,7 +47,6 @@ CGAL_ext::internal::Surface_soup read_input(Job& job)
       read_soup(job.line.input, job.line.input_format, &job.passed_over, wants_colors ? &job.input_colors : nullptr);
   if(wants_colors && job.input_colors.empty())
     throw Malformed_file("'" + job.line.input + "' has no colors of its vertices, which --attributes needs");
-  check_well_formed(soup, job.line.input);
   job.input_vertices = soup.points.size();
   job.input_faces = soup.faces.size();
   return soup;
@@ -73,7 +72,7 @@ void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
   job.conditioning = condition(soup, line.conditioning_options);
   job.mesh = make_mesh(soup);
   if(!line.seams.empty())
-    line.options.seams = edges_of(read_seams(line.seams, job.conditioning), job.mesh);
+    line.options.seams = edges_of(read_seams(line.seams, job.conditioning), job.mesh, line.seams);
   if(line.corners)
     line.options.corners = mesh_vertices(*line.corners, job.conditioning);
   job.uncut_vertices = job.mesh.number_of_vertices();
@@ -100,6 +99,9 @@ std::vector<int> originals_of(const CGAL_ext::Square_map_result<Mesh>& result, s
 {
   if(result.wrong_corner)
     throw Usage_error("corner vertex " + std::to_string(corners[*result.wrong_corner]) + " is not on the border");
+  for(std::size_t v : corners)
+    if(!result.counter_clockwise_corners && std::count(corners.begin(), corners.end(), v) > 1)
+      throw Usage_error(result.message + ": vertex " + std::to_string(v) + " is named more than once");
   if(!result.counter_clockwise_corners)
     throw Usage_error(result.message);
   std::string order;
@@ -239,6 +241,8 @@ int main(int argc, char** argv)
 {
   open_standard_streams();
   handle_signals();
+  if(!has_stack())
+    return fail("the limit of the stack is too low: 512 kB are needed", UNMAPPABLE);
   spare_address_space();
   Out_of_memory::handle(UNMAPPABLE);
   try {

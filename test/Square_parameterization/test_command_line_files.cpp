@@ -67,7 +67,7 @@ TEST_CASE("an OBJ file, which does not say how much it should hold, is refused w
   check_refusal_of_text("in.obj", text.substr(0, faces / 2), BAD_FILE);
   check_refusal_of_text("in.obj", text.substr(0, faces), BAD_FILE);
   check_refusal_of_text("in.obj", text.substr(0, text.rfind(' ')), BAD_FILE,
-                        "1 face has fewer than three vertices (face ");
+                        "in.obj' as OBJ: 1 face has fewer than three vertices (face ");
 }
 
 TEST_CASE("binary noise is refused")
@@ -182,7 +182,7 @@ TEST_CASE("a coordinate that is not finite is refused")
   Soup soup = small;
   soup.points[5][2] = std::numeric_limits<double>::infinity();
   check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE,
-                        "1 vertex has a coordinate that is not finite (vertex 5)");
+                        "in.ply' as PLY: 1 vertex has a coordinate that is not finite (vertex 5)");
   for(int v : {2, 3, 7})
     soup.points[v][1] = std::numeric_limits<double>::quiet_NaN();
   check_refusal_of_text("in.ply", binary_ply(soup), BAD_FILE,

@@ -242,7 +242,8 @@ TEST_CASE("corners that are not four border vertices in order are refused")
   check(corner_option({b[0], b[3], inner, b[9]}), "vertex " + std::to_string(inner) + " is not on the border");
   check(corner_option({b[0], b[3], beyond, b[9]}),
         "corner vertex " + std::to_string(beyond) + " does not exist: the file has 35 vertices");
-  check(corner_option({b[0], b[3], b[3], b[9]}), "distinct");
+  check(corner_option({b[0], b[3], b[3], b[9]}),
+        "not distinct border vertices: vertex " + std::to_string(b[3]) + " is named more than once");
   // the order that would be right begins with the same corner
   check(corner_option({b[9], b[6], b[3], b[0]}),
         "not in counter-clockwise order; this would be: " + corner_option({b[9], b[0], b[3], b[6]}));

@@ -71,6 +71,18 @@ TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and no
       }
 }
 
+TEST_CASE("too low a limit of the stack ends in a sentence")
+{
+  const Temporary_folder folder;
+  const Arguments arguments{folder.add("in.off", off(sheet(20, 20))), "-q", "-o", folder / "map.obj"};
+  for(const int kilobytes : {64, 128, 511}) {
+    const Finished_process result = square_map(arguments, "", limited(RLIMIT_STACK, kilobytes << 10));
+    CHECK(result.status == UNMAPPABLE);
+    CHECK(is_one_message(result.err, "the limit of the stack is too low: 512 kB are needed"));
+  }
+  CHECK(square_map(arguments, "", limited(RLIMIT_STACK, 512 << 10)).status == DONE);
+}
+
 TEST_CASE("lack of memory ends in a sentence, and nothing is left")
 {
   const Temporary_folder folder;

@@ -238,7 +238,8 @@ TEST_CASE("seams that make no sense are refused")
     for(auto& v : face)
       ++v;
   check_refusal_of_input(folder.add("shifted.off", off(shifted)), UNMAPPABLE,
-                         "line 2: the seam from vertex 1 to vertex 35 is not an edge", seams("1 2\n1 35\n"));
+                         "seams.txt', line 2: the seam from vertex 1 to vertex 35 is not an edge",
+                         seams("1 2\n1 35\n"));
   check_refusal_of_input(input, BAD_FILE, "cannot read", {"--seams", folder / "missing.txt"});
 }
 

@@ -133,6 +133,20 @@ TEST_CASE(
   check(100, [](const Minimizer_levels& levels, long) { return levels.most_final_work(); });
 }
 
+TEST_CASE("what the steps on a delivered map may cost grows more slowly than the mesh where the map is not hopeless")
+{
+  const auto check = [](int columns, int rows, long usual, long most) {
+    const Patch patch = make_patch_of(rectangle(columns, rows, columns, rows, 1));
+    const Minimizer_levels levels(patch, Balanced_minimization(), true, {}, Coarsening::BY_HALVES);
+    CHECK(levels.usual_final_work() == usual);
+    CHECK(levels.most_final_work() == most);
+  };
+  constexpr long SWEEPS = Minimizer_numbers::MOST_FINAL_SWEEPS, VERTICES = Minimizer_numbers::FINAL_VERTICES;
+  check(100, 10, SWEEPS * VERTICES, SWEEPS * VERTICES);
+  check(100, 100, SWEEPS * VERTICES, SWEEPS * VERTICES);
+  check(8000, 2, SWEEPS * VERTICES + Minimizer_numbers::MOST_FINAL_SWEEPS_OF_MORE * (24003 - VERTICES), SWEEPS * 24003);
+}
+
 TEST_CASE("coarse to fine ends where the minimizer alone ends")
 {
   for(const Patch& patch : large_patches())
@@ -324,21 +338,27 @@ TEST_CASE("what leads to no map counts as work")
   CHECK(lost > 0);
 }
 
-TEST_CASE("the other starts have a fixed order, and each leads to a map; one keeps the border as it is")
+TEST_CASE("the other starts have a fixed order, and each leads to a map; the last three keep the border as it is")
 {
   const Patch patch = make_patch_of(noisy_height_field(30));
   const Uv_coordinates border = border_of(patch, 0);
-  std::vector<Map_start> names;
+  std::vector<Map_start> names, last_resorts;
   for(const Other_start& start : other_starts(patch, {}, {})) {
-    names.push_back(start.start);
+    (start.is_last_resort ? last_resorts : names).push_back(start.start);
     const Minimized_map map = start.make_minimizer()->make_worker()(border, nullptr);
     REQUIRE(map.uv.rows() == patch.number_of_vertices());
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
     double moved = 0;
     for(std::size_t k = 0; k < patch.border.size(); ++k)
       moved = (std::max)(moved, (map.uv.row(patch.border[k]) - border.row(k)).norm());
-    CHECK((moved == 0) == (start.start == Map_start::FIXED_BORDER_FIRST));
+    CHECK((moved == 0) == (start.is_last_resort || start.start == Map_start::FIXED_BORDER_FIRST));
   }
   CHECK(names == std::vector<Map_start>{Map_start::GRADUAL_COARSENING, Map_start::UNIFORM_WEIGHTS,
                                         Map_start::MEAN_VALUE_WEIGHTS, Map_start::FIXED_BORDER_FIRST});
+  CHECK(last_resorts == std::vector<Map_start>{Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS,
+                                               Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS});
+  Balanced_minimization fixed;
+  fixed.border = Border_motion::FIXED;
+  for(const Other_start& start : other_starts(patch, fixed, {}))
+    CHECK_FALSE(start.is_last_resort);
 }

@@ -27,16 +27,18 @@ namespace CGAL_ext {
 /// what the minimization of the balanced energy began with. Where the start of the options leads to no map, or to one
 /// with an L2 stretch of the order of a thousand, which is a start lost in rounding more often than the surface, the
 /// others are tried in this order, until one does better than that or, when there is a map, until they have cost too much;
-/// the best map is delivered. All others make the mesh
-/// coarser in small steps, each by an eighth of the vertices instead of half of them.
+/// the best map is delivered. The last two are tried only while there is none. All others make the mesh coarser in small
+/// steps, each by an eighth of the vertices instead of half of them.
 enum class Map_start
 {
-  AS_CHOSEN,          ///< that of the options
-  GRADUAL_COARSENING, ///< that of the options, but in small steps
-  BLENDED_WEIGHTS,    ///< a first map by `Blended_weights`, unless these are the weights of the options
-  UNIFORM_WEIGHTS,    ///< a first map by `Uniform_weights`
-  MEAN_VALUE_WEIGHTS, ///< a first map by `Mean_value_weights`
-  FIXED_BORDER_FIRST  ///< minimised with a fixed border, and only then with a sliding one
+  AS_CHOSEN,                          ///< that of the options
+  GRADUAL_COARSENING,                 ///< that of the options, but in small steps
+  BLENDED_WEIGHTS,                    ///< a first map by `Blended_weights`, unless these are the weights of the options
+  UNIFORM_WEIGHTS,                    ///< a first map by `Uniform_weights`
+  MEAN_VALUE_WEIGHTS,                 ///< a first map by `Mean_value_weights`
+  FIXED_BORDER_FIRST,                 ///< minimised with a fixed border, and only then with a sliding one
+  FIXED_BORDER_FIRST_UNIFORM_WEIGHTS, ///< the same with a first map by `Uniform_weights`
+  FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS ///< the same with a first map by `Mean_value_weights`
 };
 
 /// \ingroup PkgSquareParameterizationResults

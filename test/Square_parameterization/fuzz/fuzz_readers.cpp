@@ -44,7 +44,7 @@ void read_as(square_map::File_format format, std::string_view text)
     const Surface_soup soup = square_map::parse_soup(text, format, passed_over, &colors);
     if(!colors.empty() && colors.size() != soup.points.size())
       std::abort();
-    square_map::check_well_formed(soup, "");
+    square_map::check_well_formed(soup);
     condition(soup, {Topology::CONNECTED, {}, false});
     condition(soup, {Topology::CONNECTED, 0, true});
     condition(soup, {Topology::DISK, 1, true});

@@ -24,6 +24,10 @@ inline std::string name_of(CGAL_ext::Map_start start)
     return "mean value weights";
   case CGAL_ext::Map_start::FIXED_BORDER_FIRST:
     return "fixed border first";
+  case CGAL_ext::Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS:
+    return "fixed border first, uniform weights";
+  case CGAL_ext::Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS:
+    return "fixed border first, mean value weights";
   default:
     return "as chosen";
   }

@@ -58,38 +58,9 @@ inline std::string other_format(std::string_view text, File_format format)
   return begun && *begun != format ? std::string("; it begins as ") + name_of(*begun) : "";
 }
 
-/// reads points and polygons of a file or a pipe; "-" is standard input
-/// \param format_name the format, in place of what the extension says; empty for none
-/// \param passed_over what of the file was not used is added, unless it is null
-/// \param colors receives the colors of the vertices, unless it is null; none for a file that has none
-inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const std::string& format_name = "",
-                                                  Passed_over* passed_over = nullptr, Vertex_colors* colors = nullptr)
-{
-  Passed_over unused;
-  std::string reader, hint; // in messages
-  try {
-    const File_bytes file = read_bytes(path);
-    const std::string_view text =
-        has_size_of_binary_stl(file.bytes) ? std::string_view(file.bytes) : without_byte_order_mark(file.bytes);
-    const File_format format =
-        format_name.empty() ? format_of(path, file.is_stream, text) : file_formats().at(format_name);
-    if(text.empty())
-      throw Malformed_file("it is empty");
-    reader = std::string(" as ") + name_of(format);
-    hint = other_format(text, format);
-    CGAL_ext::internal::Surface_soup soup =
-        parse_soup(text, format, passed_over != nullptr ? *passed_over : unused, colors);
-    if(soup.points.empty() && soup.faces.empty())
-      throw Malformed_file("it has neither vertices nor faces");
-    return soup;
-  } catch(const Malformed_file& error) {
-    throw Malformed_file("cannot read " + (path == "-" ? "standard input" : "'" + path + "'") + reader + ": " +
-                         error.what() + hint);
-  }
-}
-
 /// refuses coordinates that are not finite and faces that have too few vertices or name one that does not exist
-inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, const std::string& path)
+/// \throw Malformed_file with the reason alone
+inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup)
 {
   using CGAL_ext::internal::NAMED_PLACES;
   std::size_t infinite = 0, short_faces = 0, out_of_range = 0;
@@ -117,7 +88,38 @@ inline void check_well_formed(const CGAL_ext::internal::Surface_soup& soup, cons
   complaint.add(out_of_range, "face names a vertex that does not exist", "faces name vertices that do not exist",
                 out_of_range_places);
   if(!complaint.text().empty())
-    throw Malformed_file("'" + path + "' is malformed: " + complaint.text());
+    throw Malformed_file(complaint.text());
+}
+
+/// reads points and polygons of a file or a pipe, which are well formed; "-" is standard input
+/// \param format_name the format, in place of what the extension says; empty for none
+/// \param passed_over what of the file was not used is added, unless it is null
+/// \param colors receives the colors of the vertices, unless it is null; none for a file that has none
+inline CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const std::string& format_name = "",
+                                                  Passed_over* passed_over = nullptr, Vertex_colors* colors = nullptr)
+{
+  Passed_over unused;
+  std::string reader, hint; // in messages
+  try {
+    const File_bytes file = read_bytes(path);
+    const std::string_view text =
+        has_size_of_binary_stl(file.bytes) ? std::string_view(file.bytes) : without_byte_order_mark(file.bytes);
+    const File_format format =
+        format_name.empty() ? format_of(path, file.is_stream, text) : file_formats().at(format_name);
+    if(text.empty())
+      throw Malformed_file("it is empty");
+    reader = std::string(" as ") + name_of(format);
+    hint = other_format(text, format);
+    CGAL_ext::internal::Surface_soup soup =
+        parse_soup(text, format, passed_over != nullptr ? *passed_over : unused, colors);
+    if(soup.points.empty() && soup.faces.empty())
+      throw Malformed_file("it has neither vertices nor faces");
+    check_well_formed(soup);
+    return soup;
+  } catch(const Malformed_file& error) {
+    throw Malformed_file("cannot read " + (path == "-" ? "standard input" : "'" + path + "'") + reader + ": " +
+                         error.what() + hint);
+  }
 }
 
 /// the vertex of a mesh with a number
@@ -176,15 +178,16 @@ inline Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
   return mesh;
 }
 
-/// the edges of the mesh along seams. Throws `Unmappable` where there is none.
-inline std::vector<Mesh::Edge_index> edges_of(const std::vector<File_seam>& seams, const Mesh& mesh)
+/// the edges of the mesh along the seams of a file. Throws `Unmappable` where there is none.
+inline std::vector<Mesh::Edge_index> edges_of(const std::vector<File_seam>& seams, const Mesh& mesh,
+                                              const std::string& path)
 {
   std::vector<Mesh::Edge_index> edges;
   for(const auto& [ends, place] : seams) {
     const auto h = CGAL_ext::internal::halfedge_between(vertex(ends[0]), vertex(ends[1]), mesh);
     if(h == Mesh::null_halfedge())
       throw CGAL_ext::internal::Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                                           place + " is not an edge of the surface");
+                                           "'" + path + "', " + place + " is not an edge of the surface");
     edges.push_back(mesh.edge(h));
   }
   return edges;

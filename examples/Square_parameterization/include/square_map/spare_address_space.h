@@ -43,6 +43,15 @@ inline void spare_address_space()
 #endif
 }
 
+/// indicates whether the stack may grow as far as the job needs it, and the libraries it calls: 128 kB were enough for all
+/// that was tried
+inline bool has_stack()
+{
+  constexpr rlim_t NEEDED = 512 << 10;
+  rlimit limit = {};
+  return getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= NEEDED;
+}
+
 /// the number of threads that a limit of the address space or the data leaves room for: one, and another for each part of what is
 /// left now that maps a surface of so many vertices. Larger than any number without a limit, and where there is no /proc.
 inline std::size_t threads_with_room(std::size_t vertices)

@@ -158,6 +158,10 @@ struct Minimizer_numbers
   /// the same of a direction that is tried to go round triangles, and factored for that alone
   static constexpr long ROUNDABOUT_WORK = 2;
 
+  /// the same, in what the whole map counts for, where it ends above `LOST_RESULT`: triangles stand in the way of most of its
+  /// steps, and other maps are worth more. Less: surfaces of a thousand faces take more than a second, in vain.
+  static constexpr long ROUNDABOUT_WORK_OF_LOST = 6;
+
   /// vertices of a patch whose matrices are factored, at most: above, a V-cycle over the coarser patches stands for the
   /// factors, whose time and memory grow faster than the patch
   static constexpr int LARGEST_FACTORED = 20000;
@@ -203,10 +207,15 @@ struct Minimizer_numbers
   static constexpr unsigned int SEARCH_ITERATIONS = 60;
 
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
-  /// fewer than `LEAST_FINAL_VERTICES` counts as if it had as many. What several starts have cost, or one that is hopeless, is
+  /// fewer than `FINAL_VERTICES` counts as if it had as many. What several starts have cost, or one that is hopeless, is
   /// taken off, but for a quarter. Less: maps stretched tens of times are left before they are near their minimum.
   static constexpr long MOST_FINAL_SWEEPS = 450;
-  static constexpr int LEAST_FINAL_VERTICES = 20000;
+  static constexpr int FINAL_VERTICES = 20000;
+
+  /// the same for each vertex beyond these, of a map that is not hopeless by then: long strips and polygons take hundreds of
+  /// steps that lower their energy by a thousandth in all. Less: strips of ten thousand cells and more are stretched more, by
+  /// 0.8 % at most as it is.
+  static constexpr long MOST_FINAL_SWEEPS_OF_MORE = 80;
 
   /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
   static constexpr int LARGEST_WARM_START = 1000;

@@ -166,7 +166,9 @@ public:
         break;
       }
     }
-    map.work += work_of(report.iterations - first_iteration, steps.roundabouts());
+    const bool is_lost = report.objective > Minimizer_numbers::LOST_RESULT;
+    map.work += work_of(report.iterations - first_iteration, steps.roundabouts(),
+                        is_lost ? Minimizer_numbers::ROUNDABOUT_WORK_OF_LOST : Minimizer_numbers::ROUNDABOUT_WORK);
     report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
     map.uv = m_patch.in_given_order(std::move(map.uv));
@@ -200,10 +202,9 @@ private:
   }
 
   /// what steps and directions round triangles cost, in vertices visited
-  long work_of(long steps, long roundabouts) const
+  long work_of(long steps, long roundabouts, long roundabout_work = Minimizer_numbers::ROUNDABOUT_WORK) const
   {
-    return (Minimizer_numbers::STEP_WORK * steps + Minimizer_numbers::ROUNDABOUT_WORK * roundabouts) *
-           m_patch->number_of_vertices();
+    return (Minimizer_numbers::STEP_WORK * steps + roundabout_work * roundabouts) * m_patch->number_of_vertices();
   }
 
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }

@@ -108,11 +108,19 @@ public:
   /// indicates whether the matrices of a patch are factored; else the coarser patches take the place of factors
   bool is_factored(std::size_t level) const { return m_minimizers[level]->is_factored(); }
 
-  /// what the steps on the map that is delivered may cost, in vertices visited
+  /// what the steps on the map that is delivered may cost, in vertices visited, where it is hopeless
   long most_final_work() const
   {
     return Minimizer_numbers::MOST_FINAL_SWEEPS *
-           long((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::LEAST_FINAL_VERTICES));
+           long((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::FINAL_VERTICES));
+  }
+
+  /// the same where it is not
+  long usual_final_work() const
+  {
+    const long more = (std::max)(m_patches[0].number_of_vertices() - Minimizer_numbers::FINAL_VERTICES, 0);
+    return Minimizer_numbers::MOST_FINAL_SWEEPS * long(Minimizer_numbers::FINAL_VERTICES) +
+           Minimizer_numbers::MOST_FINAL_SWEEPS_OF_MORE * more;
   }
 
   /// what a map may cost that is hopeless, in vertices visited, until few steps are spent on it

@@ -77,7 +77,7 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   double work = best.work;
   bool is_cancelled = false;
   for(const Other_start& other : starts) {
-    const bool is_enough = has_map(best) && work > most_work;
+    const bool is_enough = has_map(best) && (work > most_work || other.is_last_resort);
     if(!is_hopeless(best, least) || is_enough || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);

@@ -24,19 +24,18 @@ struct Other_start
 {
   Map_start start;
   std::function<std::shared_ptr<const Map_minimizer>()> make_minimizer;
+  bool is_last_resort = false; ///< tried only while there is no map
 };
 
 /// a map with the border fixed first, which costs least; none when the border is fixed as it is
-inline std::vector<Other_start> fixed_border_start(const Patch& patch, const Balanced_minimization& chosen,
+inline std::vector<Other_start> fixed_border_start(const Patch& patch, Balanced_minimization chosen,
                                                    const Deadline& deadline, Coarsening coarsening)
 {
   if(chosen.border == Border_motion::FIXED)
     return {};
-  return {{Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline, coarsening] {
-             Balanced_minimization minimization = chosen;
-             minimization.border = Border_motion::FIXED;
-             return make_minimizer(patch, minimization, deadline, coarsening);
-           }}};
+  chosen.border = Border_motion::FIXED;
+  return {{Map_start::FIXED_BORDER_FIRST,
+           [&patch, chosen, deadline, coarsening] { return make_minimizer(patch, chosen, deadline, coarsening); }}};
 }
 
 /// the starts that are left when that of the options has failed, in the order in which they are tried. All are coarsened
@@ -44,20 +43,26 @@ inline std::vector<Other_start> fixed_border_start(const Patch& patch, const Bal
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
                                              const Deadline& deadline)
 {
-  const auto with_weights = [&patch, chosen, deadline](const std::function<Edge_weights(const Patch&)>& weights) {
-    return [&patch, chosen, deadline, weights] {
-      Balanced_minimization minimization = chosen;
-      minimization.start.weights = weights;
+  const auto with_weights = [&patch, &deadline](Balanced_minimization minimization,
+                                                const std::function<Edge_weights(const Patch&)>& weights) {
+    minimization.start.weights = weights;
+    return [&patch, minimization, deadline] {
       return make_minimizer(patch, minimization, deadline, Coarsening::BY_EIGHTHS);
     };
   };
-  std::vector<Other_start> starts{{Map_start::GRADUAL_COARSENING, with_weights(chosen.start.weights)}};
+  std::vector<Other_start> starts{{Map_start::GRADUAL_COARSENING, with_weights(chosen, chosen.start.weights)}};
   if(chosen.start.weights.target<Blended_weights>() == nullptr)
-    starts.push_back({Map_start::BLENDED_WEIGHTS, with_weights(Blended_weights())});
-  starts.push_back({Map_start::UNIFORM_WEIGHTS, with_weights(Uniform_weights())});
-  starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(Mean_value_weights())});
-  for(const Other_start& start : fixed_border_start(patch, chosen, deadline, Coarsening::BY_EIGHTHS))
+    starts.push_back({Map_start::BLENDED_WEIGHTS, with_weights(chosen, Blended_weights())});
+  starts.push_back({Map_start::UNIFORM_WEIGHTS, with_weights(chosen, Uniform_weights())});
+  starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(chosen, Mean_value_weights())});
+  for(const Other_start& start : fixed_border_start(patch, chosen, deadline, Coarsening::BY_EIGHTHS)) {
     starts.push_back(start);
+    Balanced_minimization fixed = chosen;
+    fixed.border = Border_motion::FIXED;
+    starts.push_back({Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS, with_weights(fixed, Uniform_weights()), true});
+    starts.push_back(
+        {Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS, with_weights(fixed, Mean_value_weights()), true});
+  }
   return starts;
 }
 

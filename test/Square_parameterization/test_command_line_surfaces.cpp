@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <utility>
 
 // Surfaces that cannot be mapped as they are: refused, or reduced to a component, or cut.
 
@@ -330,6 +332,20 @@ TEST_CASE(
     radii.push_back(i % 2 == 0 ? 0.1 : 1);
   const Mapped mapped = check_map(star(radii), {"--triangulate"});
   CHECK(mapped.report["start"] == "fixed border first");
+}
+
+TEST_CASE("of a comb of which few choices of corners have a map one is found")
+{
+  constexpr int TEETH = 160;
+  Soup comb;
+  comb.points = {{-1, -5, 0}, {2 * TEETH, -5, 0}, {2 * TEETH, 0, 0}};
+  for(int i = TEETH; i-- > 0;)
+    for(const auto& [x, y] : {std::pair(1, 0), {1, 2}, {0, 2}, {0, 0}})
+      comb.points.push_back({2. * i + x, double(y), 0});
+  comb.points.push_back({-1, 0, 0});
+  comb.faces.emplace_back(comb.points.size());
+  std::iota(comb.faces[0].begin(), comb.faces[0].end(), 0);
+  CHECK(check_map(comb, {"--triangulate"}).report["best"]["l2"] < 10);
 }
 
 TEST_CASE("a map that did not begin as usual says how it began")

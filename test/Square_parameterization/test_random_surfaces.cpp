@@ -118,13 +118,12 @@ std::pair<std::vector<double>, Mapped_soup> map_costly_surface(unsigned int seed
 
 } // namespace
 
-TEST_CASE("a spiral with ears is refused after one candidate from each start, and no longer search")
+TEST_CASE("a spiral with ears is refused after one candidate from each start, and a longer search that is bounded, too")
 {
   const auto [works, mapped] = map_costly_surface(7000152);
   CHECK(mapped.outcome == Outcome::UNMAPPED);
-  CHECK(works.size() == 7);
-  CHECK(mapped.message == "none of 1 evaluated candidate has a one-to-one map"); // not 21 in a last resort
-  CHECK(*std::max_element(works.begin(), works.end()) < 2500); // once 3400 to 6000, by small steps of coarsening
+  CHECK(works.size() == 8);
+  CHECK(std::count_if(works.begin(), works.end(), [](double work) { return work < 2500; }) >= 7); // once 3400 to 6000
 }
 
 TEST_CASE("where maps cost much, and are stretched thousands of times, not all starts are tried")

@@ -95,13 +95,14 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   return start;
 }
 
-/// a longer search from the first start, for as long as there is work left, when no start has led to a map
+/// a longer search from the first start, for as much work as starts may cost, when none has led to a map: the few candidates
+/// that each could afford may be the wrong ones
 inline void search_longer(const Patch& patch, const Map_minimizer& minimizer, const Square_map_settings& settings,
                           Search_outcome& outcome)
 {
   const int vertices = patch.number_of_vertices();
-  const double work_factor = (most_work_of_last_resort(vertices) - outcome.work) / most_work_of_search(vertices);
-  if(!has_map(outcome) && outcome.heeds_work && !outcome.report.is_cancelled && work_factor > 1)
+  const double work_factor = most_work_of_starts(vertices) / most_work_of_search(vertices); // more than one
+  if(!has_map(outcome) && outcome.heeds_work && !outcome.report.is_cancelled)
     outcome = search_corners(patch, minimizer, settings.search, settings.search_options, work_factor);
 }
 

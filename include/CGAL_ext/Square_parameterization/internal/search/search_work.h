@@ -43,7 +43,7 @@ inline double most_work_of_search(int number_of_vertices)
 constexpr double MOST_WORK_OF_STARTS = 800;
 
 /// what the candidates of all starts may cost together, in vertices visited, until no more starts are tried for a better
-/// map
+/// map; and those of the longer search when none has led to a map
 inline double most_work_of_starts(int number_of_vertices)
 {
   return 6e6 + MOST_WORK_OF_STARTS * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
@@ -59,13 +59,6 @@ inline double most_work_of_first_start(int number_of_vertices)
 {
   return number_of_vertices <= MOST_VERTICES_OF_MAP ? std::numeric_limits<double>::infinity()
                                                     : MOST_WORK_OF_FIRST_START * number_of_vertices;
-}
-
-/// what the candidates of all starts may cost, with those of the last resort, a longer search from the first start when
-/// none has led to a map
-inline double most_work_of_last_resort(int number_of_vertices)
-{
-  return 2 * most_work_of_starts(number_of_vertices);
 }
 
 /// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more

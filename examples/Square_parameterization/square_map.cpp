@@ -99,11 +99,12 @@ std::vector<int> originals_of(const CGAL_ext::Square_map_result<Mesh>& result, s
 {
   if(result.wrong_corner)
     throw Usage_error("corner vertex " + std::to_string(corners[*result.wrong_corner]) + " is not on the border");
-  for(std::size_t v : corners)
-    if(!result.counter_clockwise_corners && std::count(corners.begin(), corners.end(), v) > 1)
-      throw Usage_error(result.message + ": vertex " + std::to_string(v) + " is named more than once");
-  if(!result.counter_clockwise_corners)
+  if(!result.counter_clockwise_corners) {
+    for(std::size_t v : corners)
+      if(std::count(corners.begin(), corners.end(), v) > 1)
+        throw Usage_error(result.message + ": vertex " + std::to_string(v) + " is named more than once");
     throw Usage_error(result.message);
+  }
   std::string order;
   for(int k : *result.counter_clockwise_corners)
     order += (order.empty() ? "" : ",") + std::to_string(corners[k]);

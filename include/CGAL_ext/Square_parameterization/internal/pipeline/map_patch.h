@@ -71,8 +71,8 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   const Deadline& deadline = settings.search_options.deadline;
   const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
   const bool is_costly = has_map(best) && best.work > most_work_of_first_start(patch.number_of_vertices());
-  const auto starts = is_costly ? fixed_border_start(patch, *balanced, deadline, Coarsening::BY_HALVES)
-                                : other_starts(patch, *balanced, deadline);
+  const auto starts =
+      is_costly ? fixed_border_start(patch, *balanced, deadline) : other_starts(patch, *balanced, deadline);
   const double least = is_costly ? Minimizer_numbers::LOST_RESULT : Minimizer_numbers::HOPELESS_RESULT;
   double work = best.work;
   bool is_cancelled = false;

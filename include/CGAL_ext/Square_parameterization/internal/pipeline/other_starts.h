@@ -29,13 +29,13 @@ struct Other_start
 
 /// a map with the border fixed first, which costs least; none when the border is fixed as it is
 inline std::vector<Other_start> fixed_border_start(const Patch& patch, Balanced_minimization chosen,
-                                                   const Deadline& deadline, Coarsening coarsening)
+                                                   const Deadline& deadline)
 {
   if(chosen.border == Border_motion::FIXED)
     return {};
   chosen.border = Border_motion::FIXED;
-  return {{Map_start::FIXED_BORDER_FIRST,
-           [&patch, chosen, deadline, coarsening] { return make_minimizer(patch, chosen, deadline, coarsening); }}};
+  return {
+      {Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline] { return make_minimizer(patch, chosen, deadline); }}};
 }
 
 /// the starts that are left when that of the options has failed, in the order in which they are tried. All are coarsened
@@ -55,10 +55,10 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
     starts.push_back({Map_start::BLENDED_WEIGHTS, with_weights(chosen, Blended_weights())});
   starts.push_back({Map_start::UNIFORM_WEIGHTS, with_weights(chosen, Uniform_weights())});
   starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(chosen, Mean_value_weights())});
-  for(const Other_start& start : fixed_border_start(patch, chosen, deadline, Coarsening::BY_EIGHTHS)) {
-    starts.push_back(start);
+  if(chosen.border != Border_motion::FIXED) {
     Balanced_minimization fixed = chosen;
     fixed.border = Border_motion::FIXED;
+    starts.push_back({Map_start::FIXED_BORDER_FIRST, with_weights(fixed, fixed.start.weights)});
     starts.push_back({Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS, with_weights(fixed, Uniform_weights()), true});
     starts.push_back(
         {Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS, with_weights(fixed, Mean_value_weights()), true});

@@ -325,13 +325,18 @@ TEST_CASE("of a star of 5000 corners, whose maps cost much, one is made, and its
 }
 
 TEST_CASE(
-    "when the first map of a star of 3000 spikes has cost too much and is lost, the start that costs least is tried")
+    "where the first sketch of a star of 3000 spikes is lost, or its first map has cost too much, no other is made")
 {
-  std::vector<double> radii;
-  for(int i = 0; i < 6000; ++i)
-    radii.push_back(i % 2 == 0 ? 0.1 : 1);
-  const Mapped mapped = check_map(star(radii), {"--triangulate"});
-  CHECK(mapped.report["start"] == "fixed border first");
+  const auto map_star = [](double inner_radius) {
+    std::vector<double> radii;
+    for(int i = 0; i < 6000; ++i)
+      radii.push_back(i % 2 == 0 ? inner_radius : 1);
+    return check_map(star(radii), {"--triangulate"}).report;
+  };
+  CHECK(map_star(0.2)["sketches"] == 1);
+  const auto without_sketch = map_star(0.1);
+  CHECK(without_sketch["evaluations"] == 1);
+  CHECK(without_sketch["start"] == "as chosen");
 }
 
 TEST_CASE("of a comb of which few choices of corners have a map one is found")

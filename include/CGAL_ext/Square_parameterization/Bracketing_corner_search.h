@@ -4,9 +4,11 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_BRACKETING_CORNER_SEARCH_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_BRACKETING_CORNER_SEARCH_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Candidate_ring.h>
 #include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 
+#include <cmath>
 #include <optional>
 #include <set>
 #include <vector>
@@ -28,7 +30,8 @@ namespace CGAL_ext {
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface. On a mesh of 2500 vertices and
-/// more the first candidate is the only one when its map costs as much as those of nineteen.
+/// more the first candidate is the only one when its map costs as much as those of nineteen, and where there are sketches,
+/// when its sketch is stretched tens of thousands of times, or a hundred times and costs as much as twelve.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
 /// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the
@@ -70,6 +73,14 @@ private:
   {
     const double share = (std::min)(1., double(problem.number_of_vertices) / internal::LEAST_VERTICES_OF_COSTLY_MAP);
     return problem.work && share * problem.work() > internal::MOST_WORK_OF_FIRST_MAP;
+  }
+
+  /// indicates whether the first sketch, whose work is known by now, tells that all are stretched beyond comparison
+  static bool is_first_sketch_lost(const Corner_search_problem& problem, double objective)
+  {
+    typedef internal::Minimizer_numbers Numbers;
+    const bool is_costly = problem.work && problem.work() > internal::MOST_WORK_OF_HOPELESS_SKETCH;
+    return std::isfinite(objective) && objective > (is_costly ? Numbers::HOPELESS : Numbers::LOST_RESULT);
   }
 
   /// as many samples as the work for the first candidate allows, which is known by now
@@ -141,8 +152,11 @@ private:
       return {};
     internal::Candidate_ring ring(problem);
     ring.compare_sketches();
+    ring.evaluate({0}); // the others start from it
+    if(is_first_sketch_lost(problem, ring.objective(0)))
+      return 0;
     for(int samples = FIRST_SAMPLES; samples <= SAMPLES; samples *= 2) // each from one of those before
-      if(ring.number_of_known() == 0 || !has_cost_too_much(problem))
+      if(!has_cost_too_much(problem))
         ring.evaluate(ring.even_candidates(samples));
     if(!std::isfinite(ring.objective(ring.best())))
       return {};

@@ -26,16 +26,25 @@ class Coarse_to_fine_descent
 public:
   /// \param borders of the patches, for the map that is wanted
   /// \param workspace that is prepared
+  /// \param work_before what the same map has cost in vain, in vertices visited
   Coarse_to_fine_descent(const Minimizer_levels& levels, const Patch_sequence::Borders& borders,
-                         Minimizer_levels::Workspace& workspace)
-    : m_levels(levels), m_borders(borders), m_workspace(workspace)
+                         Minimizer_levels::Workspace& workspace, long work_before = 0)
+    : m_levels(levels), m_borders(borders), m_workspace(workspace), m_work_before(work_before)
   {}
 
   /// what it has cost so far, in vertices visited
   long work() const { return m_work; }
 
-  /// indicates whether it has cost much, and has come to a map that is hopeless: few steps are spent on it
-  bool is_lost() const { return m_energy > Minimizer_numbers::HOPELESS && m_work > m_levels.most_hopeless_work(); }
+  /// indicates whether the map has cost much, and is hopeless or a second try: few steps are spent on it
+  bool is_lost() const
+  {
+    return (m_energy > Minimizer_numbers::HOPELESS || m_work_before > 0) &&
+           m_work_before + m_work > m_levels.most_hopeless_work();
+  }
+
+  /// indicates whether it has come to a map that is lost, of a patch as fine as that of sketches: the one with the whole
+  /// border may have one that is not
+  bool is_given_up() const { return m_is_given_up; }
 
   /// the map of the warm level, if that was passed; it is moved out
   Uv_coordinates take_warm_start() { return std::move(m_warm_start); }
@@ -46,11 +55,12 @@ public:
   {
     Uv_coordinates uv;
     const auto& starts = m_levels.starts();
-    for(std::size_t i = 0; i < starts.size() && uv.rows() == 0 && starts[i].level < m_borders.size(); ++i) {
+    const auto may_start = [&](std::size_t i) { return i < starts.size() && starts[i].level < m_borders.size(); };
+    for(std::size_t i = 0; may_start(i) && uv.rows() == 0 && !m_is_given_up; ++i) {
       const auto& [level, iteration] = starts[i];
       uv = refine(level, to, first_map(*iteration, m_borders[level].uv, m_workspace.starts[i]));
     }
-    return uv.rows() == 0 ? resume(to) : uv;
+    return uv.rows() == 0 && !m_is_given_up ? resume(to) : uv;
   }
 
   /// the map of an iteration, whose work is counted; without rows when there is none
@@ -77,6 +87,10 @@ public:
       m_workspace.levels[level].end_steps();
       m_work += map.work;
       m_energy = map.report.objective;
+      const bool is_fine = level <= m_levels.sketched(); // coarser ones may be led out of it
+      m_is_given_up = is_fine && !patches.keeps_border() && m_energy > Minimizer_numbers::LOST_RESULT;
+      if(m_is_given_up)
+        return Uv_coordinates();
       const bool is_early =
           patches[level].number_of_vertices() < Minimizer_numbers::LARGEST_GIVEN_UP * patches[to].number_of_vertices();
       if(is_early && m_energy > m_largest_energy) {
@@ -152,7 +166,9 @@ private:
   std::vector<Level_map> m_given_up; // maps whose energy was larger
   Uv_coordinates m_warm_start;       // the map of one of the patches on the way
   double m_energy = 0;               // of the last map
-  long m_work = 0;                   // in vertices visited
+  bool m_is_given_up = false;
+  const long m_work_before; // in vertices visited, as the next
+  long m_work = 0;
 };
 
 } // namespace internal

@@ -105,7 +105,7 @@ private:
       m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_minimization, false, m_deadline, m_coarsening);
     });
     Multilevel_minimizer::Workspace workspace;
-    Minimized_map map = m_whole_border->minimize(border_uv, workspace);
+    Minimized_map map = m_whole_border->minimize(border_uv, workspace, nullptr, work_before);
     map.work += work_before;
     map.warm_start.resize(0, 2); // a map of a patch that is not among those of the others
     return map;

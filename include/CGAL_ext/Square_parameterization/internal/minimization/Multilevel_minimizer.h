@@ -45,19 +45,21 @@ public:
   /// \pre the border is on the unit square, or `keeps_border()`
   /// \param warm_start of a map or a sketch for a similar border, the map of one of the coarse patches; it saves the
   ///        coarser ones. May be null.
+  /// \param work_before what a map for this border has cost in vain, in vertices visited
   Minimized_map minimize(const Uv_coordinates& border_uv, Workspace& workspace,
-                         const Uv_coordinates* warm_start = nullptr) const
+                         const Uv_coordinates* warm_start = nullptr, long work_before = 0) const
   {
     m_levels.prepare(workspace);
     const Patch_sequence::Borders borders = patches().borders(border_uv);
-    Coarse_to_fine_descent descent(m_levels, borders, workspace);
+    Coarse_to_fine_descent descent(m_levels, borders, workspace, work_before);
     Uv_coordinates uv;
     if(const std::optional<std::size_t> level = warm_start != nullptr ? level_of(*warm_start) : std::nullopt;
        level && *level < borders.size())
       uv = descent.refine(*level, 0, transport(*level, *warm_start, borders[*level].uv, workspace));
     if(uv.rows() == 0)
       uv = descent.start(0);
-    if(uv.rows() == 0 && patches().size() > 1 && !has_passed(m_deadline)) { // some coarse triangle was lost in rounding
+    if(uv.rows() == 0 && !descent.is_given_up() && patches().size() > 1 &&
+       !has_passed(m_deadline)) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
       uv = descent.first_map(Stretch_iteration(patches()[0], m_options.start), border_uv, iteration_workspace);
     }

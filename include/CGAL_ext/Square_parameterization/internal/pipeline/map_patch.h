@@ -18,6 +18,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -57,8 +58,7 @@ inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_
 }
 
 /// tries the other starts until one is not hopeless; when there is a map, until all have cost too much, but one in any
-/// case. Where the first alone has cost too much, that is the one that costs least, for a map that is lost, or none.
-/// `finish_map()` is to follow.
+/// case. Where the first has a map and has cost too much, there are none. `finish_map()` is to follow.
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
 inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
@@ -66,19 +66,16 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
 {
   Map_start start = Map_start::AS_CHOSEN;
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
-  if(balanced == nullptr)
+  const bool is_costly = has_map(best) && best.work > most_work_of_first_start(patch.number_of_vertices());
+  if(balanced == nullptr || is_costly)
     return start;
   const Deadline& deadline = settings.search_options.deadline;
   const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
-  const bool is_costly = has_map(best) && best.work > most_work_of_first_start(patch.number_of_vertices());
-  const auto starts =
-      is_costly ? fixed_border_start(patch, *balanced, deadline) : other_starts(patch, *balanced, deadline);
-  const double least = is_costly ? Minimizer_numbers::LOST_RESULT : Minimizer_numbers::HOPELESS_RESULT;
   double work = best.work;
   bool is_cancelled = false;
-  for(const Other_start& other : starts) {
+  for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
     const bool is_enough = has_map(best) && (work > most_work || other.is_last_resort);
-    if(!is_hopeless(best, least) || is_enough || is_cancelled || has_passed(deadline))
+    if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;

@@ -27,17 +27,6 @@ struct Other_start
   bool is_last_resort = false; ///< tried only while there is no map
 };
 
-/// a map with the border fixed first, which costs least; none when the border is fixed as it is
-inline std::vector<Other_start> fixed_border_start(const Patch& patch, Balanced_minimization chosen,
-                                                   const Deadline& deadline)
-{
-  if(chosen.border == Border_motion::FIXED)
-    return {};
-  chosen.border = Border_motion::FIXED;
-  return {
-      {Map_start::FIXED_BORDER_FIRST, [&patch, chosen, deadline] { return make_minimizer(patch, chosen, deadline); }}};
-}
-
 /// the starts that are left when that of the options has failed, in the order in which they are tried. All are coarsened
 /// in small steps: most maps that are lost in rounding are found so.
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,

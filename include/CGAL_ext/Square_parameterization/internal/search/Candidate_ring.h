@@ -64,9 +64,11 @@ public:
   double objective(int candidate) const { return m_objective.at(candidate); }
   int best() const { return m_best; }
 
-  /// evaluates a batch of candidates together
-  void evaluate(const std::vector<int>& candidates)
+  /// evaluates those of a batch of candidates that are unknown, together
+  void evaluate(std::vector<int> candidates)
   {
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [this](int c) { return is_known(c); }),
+                     candidates.end());
     const std::vector<double> objective = m_objective_of(candidates);
     for(std::size_t i = 0; i < candidates.size(); ++i) {
       m_objective[candidates[i]] = objective[i];

@@ -22,6 +22,10 @@ constexpr double MOST_WORK_OF_FIRST_MAP = 450;
 /// vertices that such a sweep counts for, at least: maps of smaller meshes are soon made
 constexpr int LEAST_VERTICES_OF_COSTLY_MAP = 2500;
 
+/// sweeps over the mesh that the first sketch may cost for others to be made, too, when it is hopeless: those of polygons with
+/// thousands of spikes cost 400 to 500, and all sketches of these are alike
+constexpr double MOST_WORK_OF_HOPELESS_SKETCH = 300;
+
 /// sweeps over the mesh that a map or sketch may cost, in the mean, for corners to move: those of fifteen candidates of an
 /// even surface. Maps that cost more are too far from their minima when they are compared to tell corners apart.
 constexpr double MOST_WORK_TO_MOVE = 300;
@@ -49,12 +53,12 @@ inline double most_work_of_starts(int number_of_vertices)
   return 6e6 + MOST_WORK_OF_STARTS * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
 }
 
-/// sweeps over a mesh of more than `MOST_VERTICES_OF_MAP` vertices that the candidates of the first start may cost for all
-/// others to be tried: those of polygons with thousands of spikes cost 700 to 1300, and to make such a mesh coarse in
+/// sweeps over a mesh of more than `MOST_VERTICES_OF_MAP` vertices that the candidates of the first start may cost for others
+/// to be tried, too: those of polygons with thousands of spikes cost 700 to 1300, and to make such a mesh coarse in
 /// small steps takes half a second before the first map
 constexpr double MOST_WORK_OF_FIRST_START = 600;
 
-/// what the candidates of the first start may cost, in vertices visited, for all others to be tried
+/// what the candidates of the first start may cost, in vertices visited, for others to be tried when they have a map
 inline double most_work_of_first_start(int number_of_vertices)
 {
   return number_of_vertices <= MOST_VERTICES_OF_MAP ? std::numeric_limits<double>::infinity()

@@ -223,12 +223,27 @@ struct Minimizer_numbers
   /// vertices of the patch that is sketched, at most: enough to tell borders apart
   static constexpr int LARGEST_SKETCH = 2000;
 
-  /// vertices of the patch on which corners are moved, at most: hundreds of maps are compared there
+  /// vertices of the patch of rough maps, on which corners are moved, at most: hundreds are compared
   static constexpr int LARGEST_ROUGH = 300;
 
   /// interior vertices, at most, of one that has up to twice as many vertices, most of them on the border: with a few
   /// dozen inside, maps of such a patch compare corners otherwise than those of all finer ones
   static constexpr int LARGEST_ROUGH_INTERIOR = 200;
+
+  /// vertices of patches on which corners are moved twice, first on one with `SHARE_OF_FIRST_MOVES` of the vertices, and then, as
+  /// on sketches, on the patch itself; at most a `LEAST_PER_BORDER_VERTEX`-th is on the border. Smaller ones, and those with
+  /// more border, are not compared well by coarser ones. Larger ones: more time.
+  static constexpr int LEAST_MOVED_TWICE = 200, MOST_MOVED_TWICE = 700;
+  static constexpr int LEAST_PER_BORDER_VERTEX = 4;
+
+  /// Larger: more time for the same corners. Less, as 0.3: worse corners.
+  static constexpr double SHARE_OF_FIRST_MOVES = 0.35;
+
+  static constexpr bool moves_corners_twice(int vertices, int border_vertices)
+  {
+    return vertices >= LEAST_MOVED_TWICE && vertices <= MOST_MOVED_TWICE &&
+           LEAST_PER_BORDER_VERTEX * border_vertices <= vertices;
+  }
 
   /// vertices from which on a patch is sketched: below, maps cost little more than sketches
   static constexpr int SMALLEST_SKETCHED = 8000;

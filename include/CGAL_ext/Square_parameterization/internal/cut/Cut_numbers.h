@@ -119,7 +119,7 @@ struct Cut_numbers
 
   /// vertices mapped in all scores of one copy, at all weights, at most. More: a better cut here and there, for much
   /// time.
-  long growth_work = 150000;
+  long growth_work = 120000;
 
   /// the same per vertex of the surface, where that is less: small surfaces are not grown for longer than large ones.
   /// Fewer: small surfaces get a little more stretch; more: they take seconds where their maps are slow.
@@ -127,7 +127,7 @@ struct Cut_numbers
 
   /// the same per vertex of a surface so small that no copy of `growth_faces` is made. More: surfaces of a thousand faces
   /// take more than a second.
-  long growth_work_of_small = 100;
+  long growth_work_of_small = 85;
 
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
   /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
@@ -173,9 +173,9 @@ struct Cut_numbers
   /// no other place. Steps are halved in between.
   double last_step = 0.03;
 
-  /// vertices mapped to refine a cut for one weight, at most, per vertex of the surface: so many ordinary cuts. Ten times as
+  /// vertices mapped to refine a cut for one weight, at most, per vertex of the surface: so many ordinary cuts. Fifteen times as
   /// many lowered L2 + 0.05 length of thirteen surfaces by a tenth of a per cent, for half as much time again.
-  long refinement_work_per_vertex = 6;
+  long refinement_work_per_vertex = 4;
 
   /// the same of a small surface: some dozen cuts of a few hundred faces, which cost little, and gain a quarter of a per cent
   long least_refinement_work = 4000;

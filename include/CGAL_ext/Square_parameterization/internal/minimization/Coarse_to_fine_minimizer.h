@@ -51,6 +51,11 @@ public:
 
   Comparing_worker make_rough_worker() const override { return comparing_worker(m_minimizer.rough_level()); }
 
+  Comparing_worker make_first_moves_worker() const override
+  {
+    return comparing_worker(m_minimizer.first_moves_level());
+  }
+
   Minimized_map finish(Minimized_map map) const override
   {
     if(map.uv.rows() == 0)

@@ -54,6 +54,9 @@ public:
   /// \pre `has_rough_maps()`
   virtual Comparing_worker make_rough_worker() const = 0;
 
+  /// the same on the patch on which corners are moved first, which may be smaller. \pre `has_rough_maps()`
+  virtual Comparing_worker make_first_moves_worker() const = 0;
+
   /// indicates whether the minimizer has coarse patches
   virtual bool has_rough_maps() const = 0;
 

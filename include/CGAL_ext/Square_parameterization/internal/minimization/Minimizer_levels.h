@@ -70,7 +70,7 @@ public:
         m_minimizers[level]->set_coarser(m_patches.coarse(level + 1), *m_minimizers[level + 1]);
     });
     m_transports.resize(m_patches.size());
-    for(std::size_t level : {m_warm, m_sketched, m_rough})
+    for(std::size_t level : {m_warm, m_sketched, m_rough, m_first_moves})
       if(!m_transports[level])
         m_transports[level] = std::make_unique<Map_transport>(m_patches[level]);
     for(std::size_t level = 1; level < m_patches.size(); ++level)
@@ -93,10 +93,13 @@ public:
   /// the patch on which candidates are compared
   std::size_t sketched() const { return m_sketched; }
 
-  /// the patch on which corners are moved
+  /// a patch so small that hundreds of maps of it are compared
   std::size_t rough() const { return m_rough; }
 
-  /// carries maps of the warm, the sketched and the rough level over to other borders
+  /// the patch on which corners are moved first: the rough one, or, where they are moved twice, a smaller one
+  std::size_t first_moves() const { return m_first_moves; }
+
+  /// carries maps of these levels over to other borders
   const Map_transport& transport(std::size_t level) const { return *m_transports[level]; }
 
   /// from the coarsest patch that keeps its shape, and from the coarsest
@@ -165,6 +168,7 @@ private:
     m_warm = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
     m_sketched = m_patches.finest_with(Minimizer_numbers::LARGEST_SKETCH);
     m_rough = finest_rough_level();
+    m_first_moves = finest_of_first_moves();
     coarsen({std::nullopt});
   }
 
@@ -181,12 +185,21 @@ private:
     return level;
   }
 
+  /// a third of the patch where corners are moved twice, else the rough one
+  std::size_t finest_of_first_moves() const
+  {
+    const int vertices = m_patches[0].number_of_vertices();
+    if(!Minimizer_numbers::moves_corners_twice(vertices, static_cast<int>(m_patches[0].border.size())))
+      return m_rough;
+    return m_patches.finest_with(static_cast<int>(Minimizer_numbers::SHARE_OF_FIRST_MOVES * vertices));
+  }
+
   Patch_sequence m_patches;
   std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
   std::vector<std::unique_ptr<Map_transport>> m_transports;      // null where maps are not carried over
   std::vector<Start> m_starts;
   double m_coarse_balance = 0;
-  std::size_t m_warm = 0, m_sketched = 0, m_rough = 0; // levels
+  std::size_t m_warm = 0, m_sketched = 0, m_rough = 0, m_first_moves = 0; // levels
 };
 
 } // namespace internal

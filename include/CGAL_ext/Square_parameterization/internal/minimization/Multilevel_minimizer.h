@@ -85,12 +85,15 @@ public:
   /// the patch whose maps are sketches
   std::size_t sketch_level() const { return m_levels.sketched(); }
 
-  /// the patch on which corners are moved: its maps cost little
+  /// the patch of rough maps, which cost little
   std::size_t rough_level() const { return m_levels.rough(); }
+
+  /// the patch on which corners are moved first
+  std::size_t first_moves_level() const { return m_levels.first_moves(); }
 
   /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
   /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
-  /// \param level the one of sketches or the one of rough maps
+  /// \param level the one of sketches, of rough maps or of first moves
   /// \param warm_start of a sketch of the same level for a similar border; may be null
   /// \param limit an energy above it is found less exactly
   Minimized_map sketch(std::size_t level, const Uv_coordinates& border_uv, Workspace& workspace,
@@ -159,7 +162,7 @@ private:
   /// the level of a warm start, of which its size tells: each patch is smaller than the one before it
   std::optional<std::size_t> level_of(const Uv_coordinates& warm_start) const
   {
-    for(const std::size_t level : {m_levels.warm(), m_levels.sketched(), m_levels.rough()})
+    for(const std::size_t level : {m_levels.warm(), m_levels.sketched(), m_levels.rough(), m_levels.first_moves()})
       if(patches()[level].number_of_vertices() == warm_start.rows())
         return level;
     return std::nullopt;

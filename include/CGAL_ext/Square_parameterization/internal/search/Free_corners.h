@@ -37,15 +37,18 @@ public:
       m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, number_of_threads,
              visitor, may_map, most_maps_at_once(patch.number_of_vertices()))
   {
-    // sketches tell corners apart better than rough maps, also where they save too little to compare all candidates
+    // sketches tell corners apart better than rough maps, also where they save too little to compare all candidates, and
+    // where they are maps of the patch itself
     const int n = patch.number_of_vertices();
     const bool is_between = n > Minimizer_numbers::LARGEST_SKETCH && n < Minimizer_numbers::SMALLEST_SKETCHED;
-    if(minimizer.has_sketches() || (minimizer.has_rough_maps() && is_between))
+    const int border = static_cast<int>(patch.border.size());
+    const bool is_sketched = is_between || Minimizer_numbers::moves_corners_twice(n, border);
+    if(minimizer.has_sketches() || (minimizer.has_rough_maps() && is_sketched))
       m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,
                          may_compare);
     if(minimizer.has_rough_maps())
-      m_rough_maps.emplace([&minimizer] { return minimizer.make_rough_worker(); }, patch, number_of_threads, visitor,
-                           may_compare);
+      m_rough_maps.emplace([&minimizer] { return minimizer.make_first_moves_worker(); }, patch, number_of_threads,
+                           visitor, may_compare);
   }
 
   /// the objectives of choices of corners; see `Corner_search_problem`

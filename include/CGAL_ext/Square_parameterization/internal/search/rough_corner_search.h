@@ -57,8 +57,8 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
 }
 
 /// a search for the corners in less than half of the time of `search_corners()`, by one thread: rough maps alone are
-/// compared, and the best choice is mapped to the tolerance of the map that is delivered. Without uv when that has no map, or
-/// the deadline has passed.
+/// compared, and the best choice is mapped to the tolerance of a search. Without uv when that has no map, or the deadline has
+/// passed.
 /// \param moves_corners see `Square_search_options`
 /// \pre `minimizer.has_rough_maps()`
 inline Minimized_map search_corners_roughly(const Patch& patch, const Map_minimizer& minimizer, bool moves_corners,
@@ -71,7 +71,7 @@ inline Minimized_map search_corners_roughly(const Patch& patch, const Map_minimi
     Corner_evaluation maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, 1,
                            nullptr, is_in_time);
     maps({corners}, {rough_maps.warm_start(corners)});
-    return minimizer.finish(maps.best_map());
+    return maps.best_map();
   } catch(const Search_cancelled&) {
     return Minimized_map();
   }

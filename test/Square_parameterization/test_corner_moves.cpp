@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_pool.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
@@ -146,6 +147,25 @@ TEST_CASE("a search on rough maps alone finds what brute force finds where these
     CHECK(moved ==
           Approx(search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.report.objective)
               .epsilon(5e-3));
+  }
+}
+
+TEST_CASE("corners that move on a coarse patch first come to rest where they do on the patch of a few hundred vertices "
+          "itself")
+{
+  for(unsigned int seed : {1u, 2u, 3u}) {
+    const Patch patch = make_patch_of(noisy_height_field(16, seed));
+    REQUIRE(Minimizer_numbers::moves_corners_twice(patch.number_of_vertices(), int(patch.border.size())));
+    REQUIRE(patch.number_of_vertices() <= Minimizer_numbers::LARGEST_ROUGH);
+    const Balanced_minimization minimization;
+    const Multilevel_minimizer levels(patch, minimization);
+    CHECK(levels.rough_level() == 0);
+    CHECK(levels.first_moves_level() > 0);
+    const auto minimizer = make_minimizer(patch, minimization);
+    Square_search_options options;
+    options.moves_corners = true;
+    const double twice = search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.report.objective;
+    CHECK(twice <= 1.001 * search_corners_roughly(patch, *minimizer, true, {}).report.objective);
   }
 }
 

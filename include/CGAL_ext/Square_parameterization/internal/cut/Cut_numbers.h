@@ -127,7 +127,7 @@ struct Cut_numbers
 
   /// the same per vertex of a surface so small that no copy of `growth_faces` is made. More: surfaces of a thousand faces
   /// take more than a second.
-  long growth_work_of_small = 85;
+  long growth_work_of_small = 100;
 
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
   /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
@@ -177,8 +177,8 @@ struct Cut_numbers
   /// many lowered L2 + 0.05 length of thirteen surfaces by a tenth of a per cent, for half as much time again.
   long refinement_work_per_vertex = 4;
 
-  /// the same of a small surface: some dozen cuts of a few hundred faces, which cost little, and gain a quarter of a per cent
-  long least_refinement_work = 4000;
+  /// the same of a small surface: a dozen cuts of a few hundred faces, which cost little, and gain a quarter of a per cent
+  long least_refinement_work = 3000;
 
   /// vertices mapped to refine a cut for a weight outside the family, where growth has come less far, at most: fifteen cuts of
   /// 4000 faces. Less: needles are not cut across where that is wanted.

@@ -20,7 +20,8 @@ namespace CGAL_ext {
 namespace internal {
 
 /// one way from a coarse patch to the finest, or to a sketch: patch by patch minimises, puts vertices back, and smooths by
-/// sweeps. Ways that lead to a hopeless map are given up, and taken up again when none is better.
+/// sweeps. Ways that lead to a hopeless map are given up, and taken up again when none is better; one that leads to a lost map
+/// of a coarse border is abandoned.
 class Coarse_to_fine_descent
 {
 public:
@@ -44,7 +45,7 @@ public:
 
   /// indicates whether it has come to a map that is lost, of a patch as fine as that of sketches: the one with the whole
   /// border may have one that is not
-  bool is_given_up() const { return m_is_given_up; }
+  bool is_abandoned() const { return m_is_abandoned; }
 
   /// the map of the warm level, if that was passed; it is moved out
   Uv_coordinates take_warm_start() { return std::move(m_warm_start); }
@@ -56,11 +57,11 @@ public:
     Uv_coordinates uv;
     const auto& starts = m_levels.starts();
     const auto may_start = [&](std::size_t i) { return i < starts.size() && starts[i].level < m_borders.size(); };
-    for(std::size_t i = 0; may_start(i) && uv.rows() == 0 && !m_is_given_up; ++i) {
+    for(std::size_t i = 0; may_start(i) && uv.rows() == 0 && !m_is_abandoned; ++i) {
       const auto& [level, iteration] = starts[i];
       uv = refine(level, to, first_map(*iteration, m_borders[level].uv, m_workspace.starts[i]));
     }
-    return uv.rows() == 0 && !m_is_given_up ? resume(to) : uv;
+    return uv.rows() == 0 && !m_is_abandoned ? resume(to) : uv;
   }
 
   /// the map of an iteration, whose work is counted; without rows when there is none
@@ -88,8 +89,8 @@ public:
       m_work += map.work;
       m_energy = map.report.objective;
       const bool is_fine = level <= m_levels.sketched(); // coarser ones may be led out of it
-      m_is_given_up = is_fine && !patches.keeps_border() && m_energy > Minimizer_numbers::LOST_RESULT;
-      if(m_is_given_up)
+      m_is_abandoned = is_fine && !patches.keeps_border() && m_energy > Minimizer_numbers::LOST_RESULT;
+      if(m_is_abandoned)
         return Uv_coordinates();
       const bool is_early =
           patches[level].number_of_vertices() < Minimizer_numbers::LARGEST_GIVEN_UP * patches[to].number_of_vertices();
@@ -166,7 +167,7 @@ private:
   std::vector<Level_map> m_given_up; // maps whose energy was larger
   Uv_coordinates m_warm_start;       // the map of one of the patches on the way
   double m_energy = 0;               // of the last map
-  bool m_is_given_up = false;
+  bool m_is_abandoned = false;
   const long m_work_before; // in vertices visited, as the next
   long m_work = 0;
 };

@@ -12,6 +12,7 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_level_minimizers.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -70,7 +71,7 @@ public:
         m_minimizers[level]->set_coarser(m_patches.coarse(level + 1), *m_minimizers[level + 1]);
     });
     m_transports.resize(m_patches.size());
-    for(std::size_t level : {m_warm, m_sketched, m_rough, m_first_moves})
+    for(std::size_t level : carried_over())
       if(!m_transports[level])
         m_transports[level] = std::make_unique<Map_transport>(m_patches[level]);
     for(std::size_t level = 1; level < m_patches.size(); ++level)
@@ -99,7 +100,10 @@ public:
   /// the patch on which corners are moved first: the rough one, or, where they are moved twice, a smaller one
   std::size_t first_moves() const { return m_first_moves; }
 
-  /// carries maps of these levels over to other borders
+  /// these levels: their maps are carried over to other borders
+  std::array<std::size_t, 4> carried_over() const { return {m_warm, m_sketched, m_rough, m_first_moves}; }
+
+  /// carries maps of one of these levels over
   const Map_transport& transport(std::size_t level) const { return *m_transports[level]; }
 
   /// from the coarsest patch that keeps its shape, and from the coarsest

@@ -58,7 +58,7 @@ public:
       uv = descent.refine(*level, 0, transport(*level, *warm_start, borders[*level].uv, workspace));
     if(uv.rows() == 0)
       uv = descent.start(0);
-    if(uv.rows() == 0 && !descent.is_given_up() && patches().size() > 1 &&
+    if(uv.rows() == 0 && !descent.is_abandoned() && patches().size() > 1 &&
        !has_passed(m_deadline)) { // some coarse triangle was lost in rounding
       Stretch_iteration::Workspace iteration_workspace;
       uv = descent.first_map(Stretch_iteration(patches()[0], m_options.start), border_uv, iteration_workspace);
@@ -162,7 +162,7 @@ private:
   /// the level of a warm start, of which its size tells: each patch is smaller than the one before it
   std::optional<std::size_t> level_of(const Uv_coordinates& warm_start) const
   {
-    for(const std::size_t level : {m_levels.warm(), m_levels.sketched(), m_levels.rough(), m_levels.first_moves()})
+    for(const std::size_t level : m_levels.carried_over())
       if(patches()[level].number_of_vertices() == warm_start.rows())
         return level;
     return std::nullopt;

@@ -18,7 +18,6 @@
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 

@@ -93,14 +93,13 @@ public:
   void evaluate_around_best()
   {
     const bool has_map = std::isfinite(objective(m_best));
-    std::set<int> unknown;
+    std::set<int> candidates;
     for(const int direction : {-1, 1}) {
       const int end = has_map ? distance_to_known(direction) : size();
       for(int distance = 1; distance < end; ++distance)
-        if(const int candidate = at(m_best + direction * distance); !is_known(candidate))
-          unknown.insert(candidate);
+        candidates.insert(at(m_best + direction * distance));
     }
-    evaluate({unknown.begin(), unknown.end()});
+    evaluate({candidates.begin(), candidates.end()});
   }
 
 private:

@@ -3,6 +3,7 @@
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
 #include "include/square_map/add_outputs.h"
+#include "include/square_map/huge_pages.h"
 #include "include/square_map/known_curve.h"
 #include "include/square_map/messages.h"
 #include "include/square_map/out_of_memory.h"
@@ -245,6 +246,7 @@ int main(int argc, char** argv)
   if(!has_stack())
     return fail("the limit of the stack is too low: 512 kB are needed", UNMAPPABLE);
   spare_address_space();
+  use_huge_pages();
   Out_of_memory::handle(UNMAPPABLE);
   try {
     const Command_line line = parse_command_line(argc, argv);

@@ -71,6 +71,29 @@ TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and no
       }
 }
 
+TEST_CASE("memory lies on huge pages, but where the address space is limited; the map is the same")
+{
+  const std::string setting = read_file("/sys/kernel/mm/transparent_hugepage/enabled");
+  if(setting.find("[madvise]") == std::string::npos) {
+    WARN("huge pages cannot be asked for here: " << setting);
+    return;
+  }
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(sheet(60, 60)));
+  const auto page_faults_with = [&](const std::string& output, const std::function<void()>& prepare) {
+    rusage before = {}, after = {};
+    getrusage(RUSAGE_CHILDREN, &before);
+    CHECK(square_map({input, "-q", "-o", folder / output}, "", prepare).status == DONE);
+    getrusage(RUSAGE_CHILDREN, &after);
+    return after.ru_minflt - before.ru_minflt;
+  };
+  const long with_huge_pages = page_faults_with("huge.obj", [] {});
+  const long without = page_faults_with("small.obj", limited(RLIMIT_AS, rlim_t(8) << 30));
+  INFO(with_huge_pages << " and " << without);
+  CHECK(2 * with_huge_pages < without);
+  CHECK(read_file(folder / "huge.obj") == read_file(folder / "small.obj"));
+}
+
 TEST_CASE("too low a limit of the stack ends in a sentence")
 {
   const Temporary_folder folder;

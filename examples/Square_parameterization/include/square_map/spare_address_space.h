@@ -19,17 +19,23 @@
 
 namespace square_map {
 
-/// where the address space or the data of the process are limited (ulimit -v, -d), lets threads take little of it: by default each takes
+/// indicates whether the address space or the data of the process are limited (ulimit -v, -d)
+inline bool has_limited_address_space()
+{
+  const auto is_limited = [](auto resource) {
+    rlimit limit = {};
+    return getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  };
+  return is_limited(RLIMIT_AS) || is_limited(RLIMIT_DATA);
+}
+
+/// where the address space or the data of the process are limited, lets threads take little of it: by default each takes
 /// 8 MB for its stack and 64 to 128 MB for memory of its own, before it has used any, and leaves too little to map with.
 /// To be called before there are threads. Does nothing for other C libraries than glibc.
 inline void spare_address_space()
 {
 #ifdef __GLIBC__
-  const auto is_limited = [](auto resource) {
-    rlimit limit = {};
-    return getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-  };
-  if(!is_limited(RLIMIT_AS) && !is_limited(RLIMIT_DATA))
+  if(!has_limited_address_space())
     return;
   // bytes; no function that threads run is recursive or has large arrays
   constexpr std::size_t STACK_OF_A_THREAD = 1 << 20;

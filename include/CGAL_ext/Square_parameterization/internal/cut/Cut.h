@@ -85,7 +85,7 @@ public:
   {
     if(m_degrees[v] != 2 || m_is_terminal[v] || surface.is_border_vertex[v])
       return true;
-    const auto& incident = surface.vertex_edges[v];
+    const auto incident = surface.vertex_edges[v];
     return std::any_of(incident.begin(), incident.end(), [this](int e) { return m_is_fixed[e]; });
   }
 
@@ -113,7 +113,7 @@ inline void prune(const Triangle_surface& surface, Cut& cut)
   };
   for(int leaf = 0; leaf < surface.number_of_vertices(); ++leaf)
     for(int v = leaf; is_loose(v);) {
-      const auto& incident = surface.vertex_edges[v];
+      const auto incident = surface.vertex_edges[v];
       const int e = *std::find_if(incident.begin(), incident.end(), [&cut](int edge) { return cut.contains(edge); });
       if(cut.is_fixed(e))
         break;

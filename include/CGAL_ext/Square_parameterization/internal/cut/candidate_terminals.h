@@ -53,7 +53,7 @@ inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, c
   const auto is_seam = [&](int v) { return cut.degree(v) > 0 || surface.is_border_vertex[v]; };
   std::vector<int> maxima;
   for(int v = 0; v < surface.number_of_vertices(); ++v) {
-    const auto& incident = surface.vertex_edges[v];
+    const auto incident = surface.vertex_edges[v];
     if(!is_seam(v) && std::none_of(incident.begin(), incident.end(), [&](int e) {
          const int w = surface.other_end(e, v);
          return !is_seam(w) && sigma[w] > sigma[v];

@@ -27,7 +27,7 @@ struct Cut_path
 inline int follow_cut(const Triangle_surface& surface, const Cut& cut, int e, int v, std::vector<int>& walked)
 {
   while(!cut.is_node(surface, v)) {
-    const auto& incident = surface.vertex_edges[v];
+    const auto incident = surface.vertex_edges[v];
     e = *std::find_if(incident.begin(), incident.end(), [&](int next) { return next != e && cut.contains(next); });
     walked.push_back(e);
     v = surface.other_end(e, v);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -55,6 +54,8 @@ public:
   }
 
 private:
+  typedef std::pair<double, int> Entry; // a distance, and the vertex that has it
+
   static constexpr double LEAST_GAIN = 1e-9; // relative: rounding does not count as shorter
 
   /// an edge that leaves a vertex of the cut and is not in the cut
@@ -66,9 +67,9 @@ private:
   /// a walk along one border loop of the annulus
   struct Loop
   {
-    bool is_point;           ///< the loop is one vertex
-    int first, last;         ///< halfedges along the loop; equal when the walk has come round
-    std::vector<Exit> exits; ///< met so far
+    bool is_point;            ///< the loop is one vertex
+    int first, last;          ///< halfedges along the loop; equal when the walk has come round
+    std::vector<Exit>& exits; ///< met so far
   };
 
   /// tries to shorten paths, longest first; false when none was
@@ -92,8 +93,8 @@ private:
   {
     for(int e : path.edges)
       cut.erase(m_surface, e);
-    std::array<Loop, 2> loops{begin_loop(path.from, path.edges.front(), cut),
-                              begin_loop(path.to, path.edges.back(), cut)};
+    std::array<Loop, 2> loops{begin_loop(path.from, path.edges.front(), cut, m_exits[0]),
+                              begin_loop(path.to, path.edges.back(), cut, m_exits[1])};
     Search search{cut, path.length * (1 - LEAST_GAIN), -1, -1, {}};
     for(int i = 0; i < 2; ++i)
       if(loops[i].is_point)
@@ -150,9 +151,11 @@ private:
   }
 
   /// the loop that passes \p v where edge \p e leaves, before the first step along it
-  Loop begin_loop(int v, int e, const Cut& cut) const
+  /// \param exits where those met are noted
+  Loop begin_loop(int v, int e, const Cut& cut, std::vector<Exit>& exits) const
   {
-    Loop loop{false, -1, -1, {}};
+    exits.clear();
+    Loop loop{false, -1, -1, exits};
     loop.first = pass_sector(leaving_halfedge(e, v), cut, loop.exits);
     loop.is_point = loop.first < 0;
     if(!loop.is_point)
@@ -161,17 +164,17 @@ private:
   }
 
   /// walks both loops until one is complete, and returns its exits
-  std::vector<Exit> shorter_loop(std::array<Loop, 2>& loops, const Cut& cut) const
+  const std::vector<Exit>& shorter_loop(std::array<Loop, 2>& loops, const Cut& cut) const
   {
-    for(Loop& loop : loops)
+    for(const Loop& loop : loops)
       if(loop.is_point)
-        return std::move(loop.exits);
+        return loop.exits;
     while(true) {
       Loop& loop = loops[0].exits.size() <= loops[1].exits.size() ? loops[0] : loops[1];
       const int from = loop.last < 0 ? loop.first : loop.last;
       loop.last = pass_sector(Triangle_surface::next(from), cut, loop.exits);
       if(loop.last == loop.first)
-        return std::move(loop.exits);
+        return loop.exits;
     }
   }
 
@@ -194,8 +197,7 @@ private:
   /// Dijkstra's algorithm from the exits of one loop, through vertices that are not on the cut, to any other exit
   void find_shortest(const std::vector<Exit>& start, Search& search)
   {
-    typedef std::pair<double, int> Entry;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    m_queue.clear();
     ++m_search_number;
     for(const Exit& exit : start)
       mark(exit.edge, exit.vertex) = m_search_number;
@@ -217,14 +219,16 @@ private:
         m_reached_at[v] = m_search_number;
         m_distances[v] = length;
         m_parents[v] = e;
-        queue.emplace(length, v);
+        m_queue.emplace_back(length, v);
+        std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
       }
     };
     for(const Exit& exit : start)
       enter(exit.vertex, exit.edge, m_surface.lengths[exit.edge]);
-    while(!queue.empty() && queue.top().first < search.bound) {
-      const auto [distance, v] = queue.top();
-      queue.pop();
+    while(!m_queue.empty() && m_queue.front().first < search.bound) {
+      const auto [distance, v] = m_queue.front();
+      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+      m_queue.pop_back();
       if(m_settled_at[v] == m_search_number)
         continue;
       m_settled_at[v] = m_search_number;
@@ -240,7 +244,9 @@ private:
   std::vector<int> m_parents;      // #V
   std::vector<int> m_reached_at, m_settled_at; // #V, the search that came by last
   int m_search_number = 0;
-  std::vector<int> m_changed_in; // #V, the last sweep that changed the cut there
+  std::array<std::vector<Exit>, 2> m_exits; // of the two loops; kept from path to path, as the next
+  std::vector<Entry> m_queue;               // a heap, the nearest first
+  std::vector<int> m_changed_in;            // #V, the last sweep that changed the cut there
   int m_sweep = 0;
 };
 

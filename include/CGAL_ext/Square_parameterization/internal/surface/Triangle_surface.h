@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 
 #include <CGAL_ext/Square_parameterization/internal/patch/number_edges.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Incident_edges.h>
 
 #include <Eigen/Geometry>
 
@@ -32,7 +33,7 @@ struct Triangle_surface
   std::vector<int> edge_of_halfedge;          ///< 3 #F
   std::vector<int> opposites;                 ///< 3 #F, -1 where there is no triangle on the other side
   std::vector<int> edge_halfedges;            ///< #E, the lowest halfedge of the edge
-  std::vector<std::vector<int>> vertex_edges; ///< #V, incident edges, ascending
+  Incident_edges vertex_edges;                ///< per vertex
   std::vector<std::vector<int>> border_loops; ///< vertices of each loop, counter-clockwise
   std::vector<bool> is_border_vertex;         ///< #V
   double area = 0;
@@ -107,21 +108,10 @@ inline Triangle_surface make_triangle_surface(std::vector<Eigen::Vector3d> point
   surface.edges = std::move(numbering.edges);
   join_halfedges(surface, numbering.triangle_edges);
   find_border_loops(surface);
-  std::vector<int> degrees(surface.points.size(), 0);
-  for(const auto& [a, b] : surface.edges) {
-    ++degrees[a];
-    ++degrees[b];
-  }
-  surface.vertex_edges.resize(surface.points.size());
-  for(std::size_t v = 0; v < degrees.size(); ++v)
-    surface.vertex_edges[v].reserve(degrees[v]);
+  surface.vertex_edges = Incident_edges(surface.points.size(), surface.edges);
   surface.lengths.reserve(surface.edges.size());
-  for(int e = 0; e < surface.number_of_edges(); ++e) {
-    const auto& [a, b] = surface.edges[e];
+  for(const auto& [a, b] : surface.edges)
     surface.lengths.push_back((surface.points[b] - surface.points[a]).norm());
-    surface.vertex_edges[a].push_back(e);
-    surface.vertex_edges[b].push_back(e);
-  }
   for(const auto& [a, b, c] : surface.triangles)
     surface.area += (surface.points[b] - surface.points[a]).cross(surface.points[c] - surface.points[a]).norm() / 2;
   return surface;

@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <set>
 
 using namespace CGAL_ext;
@@ -61,6 +62,32 @@ TEST_CASE("a patch without chords that need not keep its shape is made as coarse
     CHECK(coarse.patch.triangles.size() == fine.border.size());
     CHECK(coarse.patch.chords.empty());
   }
+}
+
+TEST_CASE("vertices on the rim of a large fan are put back in as few waves as asked for")
+{
+  constexpr int SPOKES = 200;
+  Flat_mesh wheel;
+  wheel.points.emplace_back(0, 0, 0);
+  for(int ring : {1, 2})
+    for(int i = 0; i < SPOKES; ++i) {
+      const double angle =
+          2 * 3.14159265358979 * std::pow(1.15, i - SPOKES); // short edges go first, one after the other
+      wheel.points.emplace_back(ring * std::cos(angle), ring * std::sin(angle), 0);
+    }
+  for(int i = 0; i < SPOKES; ++i) {
+    const int inner = 1 + i, next = 1 + (i + 1) % SPOKES, outer = inner + SPOKES, next_outer = next + SPOKES;
+    wheel.triangles.push_back({0, inner, next});
+    wheel.triangles.push_back({inner, outer, next});
+    wheel.triangles.push_back({outer, next_outer, next});
+    wheel.border.push_back(outer);
+  }
+  const Patch fine = make_patch_of(wheel);
+  const int target = SPOKES + SPOKES / 2;
+  CHECK(Patch_coarsener(fine, std::nullopt)(target).waves.size() > 10);
+  const Coarse_patch coarse = Patch_coarsener(fine, std::nullopt, true, 6)(target);
+  CHECK(coarse.waves.size() <= 6);
+  CHECK(coarse.patch.number_of_vertices() == target);
 }
 
 TEST_CASE("vertices put back into any map without flips leave it without flips")

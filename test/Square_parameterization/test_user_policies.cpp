@@ -194,10 +194,12 @@ TEST_CASE("a search with a number out of its range is refused")
   CHECK(refused.message == "a number of the corner search is out of its range");
 }
 
-TEST_CASE("a strategy that asks what maps cost is asked once more when no start has led to a map")
+namespace {
+
+/// a square of `cells` by `cells` with a flap, whose chord has both ends on one side for the first candidate: that has no map
+Flat_mesh square_with_flap(int cells)
 {
-  Flat_mesh flat = unit_square(4);
-  // a flap, whose chord has both ends on one side for the first candidate: that has no map
+  Flat_mesh flat = unit_square(cells);
   REQUIRE(flat.border[1] == 1);
   REQUIRE(flat.border[2] == 2);
   flat.points.emplace_back(flat.points[1] - Eigen::Vector3d(0, 0.1, 0));
@@ -206,31 +208,53 @@ TEST_CASE("a strategy that asks what maps cost is asked once more when no start 
   flat.triangles.push_back({2, 1, left});
   flat.triangles.push_back({2, left, right});
   flat.border.insert(flat.border.begin() + 2, {left, right});
+  return flat;
+}
 
-  constexpr int STARTS = 7; // the chosen one and all others
-  int calls = 0;
-  bool asks_for_work = true;
+/// options with a search that tries the first candidate, and all others when it is called for the last time
+/// \param calls counts those of the search
+Square_map_options<Surface_mesh> with_first_candidate(int last_call, bool asks_for_work, int& calls)
+{
   Square_map_options<Surface_mesh> options;
   options.chords = Chords::EARS;
   options.search_options.moves_corners = false;
-  options.search = Any_corner_search{[&](const Corner_search_problem& problem) {
+  options.search = Any_corner_search{[last_call, asks_for_work, &calls](const Corner_search_problem& problem) {
     problem.objective_of({0});
     if(asks_for_work)
       problem.work();
-    if(++calls > STARTS) {
+    if(++calls == last_call) {
       std::vector<int> others(problem.number_of_candidates - 1);
       std::iota(others.begin(), others.end(), 1);
       problem.objective_of(others);
     }
   }};
-  const Result result = map_onto_square(flat, options).result;
+  return options;
+}
+
+} // namespace
+
+TEST_CASE("a strategy that asks what maps cost is asked once more when no start has led to a map")
+{
+  constexpr int STARTS = 7; // the chosen one and all others
+  const Flat_mesh flat = square_with_flap(12);
+  int calls = 0;
+  const Result result = map_onto_square(flat, with_first_candidate(STARTS + 1, true, calls)).result;
   CHECK(result.status == SMP::OK);
   CHECK(result.start == Map_start::AS_CHOSEN);
   CHECK(calls == STARTS + 1);
   calls = 0;
-  asks_for_work = false;
-  CHECK(map_onto_square(flat, options).result.status == SMP::ERROR_NO_1_TO_1_MAPPING);
+  CHECK(map_onto_square(flat, with_first_candidate(STARTS + 1, false, calls)).result.status ==
+        SMP::ERROR_NO_1_TO_1_MAPPING);
   CHECK(calls == STARTS);
+}
+
+TEST_CASE("where most of a mesh is border, a strategy that asks is asked once more before other starts are tried")
+{
+  int calls = 0;
+  const Result result = map_onto_square(square_with_flap(4), with_first_candidate(2, true, calls)).result;
+  CHECK(result.status == SMP::OK);
+  CHECK(result.start == Map_start::AS_CHOSEN);
+  CHECK(calls == 2);
 }
 
 TEST_CASE("the visitor of the border is told of the search and, after it, of the minimization")

@@ -80,7 +80,7 @@ private:
   {
     typedef internal::Minimizer_numbers Numbers;
     const bool is_costly = problem.work && problem.work() > internal::MOST_WORK_OF_HOPELESS_SKETCH;
-    return std::isfinite(objective) && objective > (is_costly ? Numbers::HOPELESS : Numbers::LOST_RESULT);
+    return std::isfinite(objective) && objective > (is_costly ? Numbers::HOPELESS_SKETCH : Numbers::HOPELESS_RESULT);
   }
 
   /// as many samples as the work for the first candidate allows, which is known by now

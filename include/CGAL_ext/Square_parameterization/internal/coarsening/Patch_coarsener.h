@@ -33,8 +33,9 @@ public:
   /// \param least_shape_kept a triangle may be thin, but not below this share of the shape of the one that it replaces;
   ///        none when the surface need not keep its shape
   /// \param keeps_border indicates whether border vertices stay
+  /// \param most_waves in which the vertices of large fans are put back
   explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = Minimizer_numbers::SHAPE_KEPT,
-                           bool keeps_border = true)
+                           bool keeps_border = true, int most_waves = (std::numeric_limits<int>::max)())
     : m_fine(fine),
       m_least_shape_kept(least_shape_kept),
       m_removable_border_vertices(
@@ -46,6 +47,8 @@ public:
       m_previous(fine.points.size(), -1),
       m_is_removed(fine.points.size(), false),
       m_is_target(fine.points.size(), false),
+      m_most_waves(most_waves),
+      m_waves(fine.points.size(), 0),
       m_changes(fine.points.size(), 0)
   {
     for(int f = 0; f < fine.number_of_faces(); ++f)
@@ -70,6 +73,8 @@ public:
       if(m_is_removed[collapse.from] || collapse.changes != m_changes[collapse.from])
         continue; // the neighborhood is not what it was: a newer entry follows
       find_ring(collapse.from, ring);
+      if(m_waves[collapse.from] >= m_most_waves && is_on_rim(ring))
+        continue;
       if(!may_collapse(collapse.from, collapse.to, ring)) {
         push_next(collapse);
         continue;
@@ -80,6 +85,7 @@ public:
       perform(collapse.from, collapse.to);
       --count;
       for(int w : ring) {
+        m_waves[w] = (std::max)(m_waves[w], m_waves[collapse.from] + 1);
         ++m_changes[w];
         push_cheapest(w);
       }
@@ -110,6 +116,13 @@ private:
   {
     m_next[v] = next;
     m_previous[next] = v;
+  }
+
+  /// indicates whether a vertex with this ring is on the rim of a large fan
+  bool is_on_rim(const std::vector<int>& ring) const
+  {
+    return std::any_of(ring.begin(), ring.end(),
+                       [this](int w) { return m_star[w].size() > Minimizer_numbers::LARGEST_FAN; });
   }
 
   bool has_large_star(int v) const { return m_star[v].size() > Minimizer_numbers::LARGEST_STAR; }
@@ -300,7 +313,9 @@ private:
   std::vector<std::vector<int>> m_star; // per vertex, its triangles
   std::vector<int> m_next, m_previous;  // per border vertex, its neighbors on the border; else -1
   std::vector<bool> m_is_removed;
-  std::vector<bool> m_is_target;            // of the removal of a border vertex: so that there is room to put that back
+  std::vector<bool> m_is_target; // of the removal of a border vertex: so that there is room to put that back
+  const int m_most_waves;
+  std::vector<int> m_waves; // per vertex, the waves in which others are put back after it, were it the next to go
   std::vector<std::pair<int, int>> m_sides; // memory of `find_ring()`
   std::vector<int> m_changes;               // per vertex, how often its neighborhood has changed
   std::priority_queue<Collapse, std::vector<Collapse>, std::greater<Collapse>> m_queue;

@@ -7,10 +7,12 @@
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarsening.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_coarsener.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/coarse_border.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/is_mostly_border.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -105,13 +107,15 @@ private:
     if(interior <= Minimizer_numbers::COARSEST)
       return nullptr;
     const bool is_worth_while = patch.number_of_vertices() > Minimizer_numbers::LARGE || !keeps_border();
-    const bool keeps =
-        !m_may_coarsen_border || !is_worth_while || border < Minimizer_numbers::LARGEST_BORDER * interior;
+    const bool keeps = !m_may_coarsen_border || !is_worth_while || !is_mostly_border(patch);
+    const bool is_small = m_patch.number_of_vertices() < Minimizer_numbers::LEAST_OF_FEW_WAVES;
+    const bool has_few_waves = is_mostly_border(patch) && (!is_small || m_coarsening == Coarsening::BY_EIGHTHS);
+    const int most_waves = has_few_waves ? Minimizer_numbers::MOST_WAVES : (std::numeric_limits<int>::max)();
     const int removable = keeps ? interior : interior + border;
     const int removed = number_to_remove(patch.number_of_vertices(), removable);
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
-        Patch_coarsener coarsener(patch, least_shape_kept, keeps);
+        Patch_coarsener coarsener(patch, least_shape_kept, keeps, most_waves);
         auto coarse = std::make_unique<Coarse_patch>(coarsener(patch.number_of_vertices() - removed));
         if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removed)
           return coarse;

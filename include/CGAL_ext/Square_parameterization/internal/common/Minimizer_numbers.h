@@ -36,6 +36,16 @@ struct Minimizer_numbers
   /// halved otherwise
   static constexpr double LARGEST_BORDER = 0.5;
 
+  /// waves in which vertices at the rims of fans of more than `LARGEST_FAN` triangles are put back, at most, where the border is
+  /// larger than that. More: such fans, as polygons have them, lose vertex after vertex of their rims, and to put these back
+  /// makes triangle after triangle thinner, until they are lost in rounding. Less: more patches.
+  static constexpr int MOST_WAVES = 6;
+  static constexpr std::size_t LARGEST_FAN = 32;
+
+  /// vertices of the mesh from which on there are so few waves, unless it is made coarse in small steps. Less: the first map of
+  /// combs of a hundred teeth is not lost, but worse than those of other corners, which are tried when it is.
+  static constexpr int LEAST_OF_FEW_WAVES = 2500;
+
   /// border vertices that are left in any case: the four corners need room between them
   static constexpr int LEAST_BORDER = 32;
 
@@ -254,6 +264,9 @@ struct Minimizer_numbers
   /// energy of a coarse map above which another start is tried: a map with a stretch of a hundred is hardly ever led out
   /// of it
   static constexpr double HOPELESS = 1e4;
+
+  /// energy of a costly sketch above which others are not worth their time: they are stretched alike
+  static constexpr double HOPELESS_SKETCH = 2e3;
 
   /// energy of a map that is to be delivered above which other starts are tried: a stretch of the order of a thousand.
   /// Less: surfaces that are stretched a hundred times whatever one does are mapped four times.

@@ -137,7 +137,7 @@ private:
                      [](const Level_map& a, const Level_map& b) { return a.energy < b.energy; });
     m_largest_energy = std::numeric_limits<double>::infinity();
     Uv_coordinates uv;
-    for(std::size_t i = 0; i < given_up.size() && uv.rows() == 0; ++i) {
+    for(std::size_t i = 0; i < given_up.size() && uv.rows() == 0 && !m_is_abandoned; ++i) {
       const std::size_t level = given_up[i].level;
       keep_warm_start(level, given_up[i].uv);
       uv = refine(level - 1, to, insert(level, given_up[i].uv));

@@ -202,17 +202,18 @@ private:
   {
     const Balanced_minimizer& minimizer = m_levels.minimizer(level);
     const long relaxation = minimizer.relax(uv);
-    const bool is_last = level == 0 && is_large();
+    const bool is_last = level == 0 && is_large(), is_lost = descent.is_lost();
     const unsigned int most_of_search =
-        descent.is_lost() ? Minimizer_numbers::ITERATIONS_OF_LOST_MAP : Minimizer_numbers::SEARCH_ITERATIONS;
+        is_lost ? Minimizer_numbers::ITERATIONS_OF_LOST_MAP : Minimizer_numbers::SEARCH_ITERATIONS;
     const unsigned int most =
         is_last ? m_options.maximum_iterations : (std::min)(m_options.maximum_iterations, most_of_search);
     const double tolerance = is_last ? m_options.tolerance : m_options.search_tolerance;
     const auto minimize = [&](Minimized_map map, long most_work) {
       return minimizer.minimize(std::move(map), tolerance, {most, most_work}, workspace.levels[level]);
     };
-    Minimized_map map = minimize({std::move(uv), {}, {}}, m_levels.usual_final_work());
-    if(is_large() && map.report.objective > Minimizer_numbers::HOPELESS_RESULT)
+    Minimized_map map = minimize({std::move(uv), {}, {}},
+                                 is_last && is_lost ? m_levels.usual_final_work() / 2 : m_levels.usual_final_work());
+    if(is_large() && !is_lost && map.report.objective > Minimizer_numbers::HOPELESS_RESULT)
       map = minimize(std::move(map), m_levels.most_final_work());
     map.work += relaxation + descent.work();
     return map;

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Square_map_options.h>
 #include <CGAL_ext/Square_parameterization/Square_map_result.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/is_mostly_border.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
@@ -116,9 +117,15 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   if(is_finished)
     finish_map(minimizer, visitor, outcome);
   if(settings.tries_other_starts && is_hopeless(outcome) && !outcome.report.is_cancelled) {
-    report.start = try_other_starts(patch, corners, settings, outcome);
+    const bool is_polygon =
+        is_mostly_border(patch); // of which more candidates have a map than have one from other starts
+    if(is_polygon)
+      search_longer(patch, minimizer, settings, outcome);
+    if(is_hopeless(outcome))
+      report.start = try_other_starts(patch, corners, settings, outcome);
     is_finished = is_finished && report.start == Map_start::AS_CHOSEN;
-    search_longer(patch, minimizer, settings, outcome);
+    if(!is_polygon)
+      search_longer(patch, minimizer, settings, outcome);
   }
   if(!is_finished)
     finish_map(minimizer, visitor, outcome);

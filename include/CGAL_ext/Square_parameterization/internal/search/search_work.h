@@ -23,8 +23,8 @@ constexpr double MOST_WORK_OF_FIRST_MAP = 450;
 constexpr int LEAST_VERTICES_OF_COSTLY_MAP = 2500;
 
 /// sweeps over the mesh that the first sketch may cost for others to be made, too, when it is hopeless: those of polygons with
-/// thousands of spikes cost 400 to 500, and all sketches of these are alike
-constexpr double MOST_WORK_OF_HOPELESS_SKETCH = 300;
+/// thousands of spikes cost 230 to 830, and all sketches of these are alike
+constexpr double MOST_WORK_OF_HOPELESS_SKETCH = 200;
 
 /// sweeps over the mesh that a map or sketch may cost, in the mean, for corners to move: those of fifteen candidates of an
 /// even surface. Maps that cost more are too far from their minima when they are compared to tell corners apart.

@@ -212,7 +212,7 @@ private:
       return minimizer.minimize(std::move(map), tolerance, {most, most_work}, workspace.levels[level]);
     };
     Minimized_map map = minimize({std::move(uv), {}, {}},
-                                 is_last && is_lost ? m_levels.usual_final_work() / 2 : m_levels.usual_final_work());
+                                 is_last && is_lost ? m_levels.most_final_work() / 4 : m_levels.usual_final_work());
     if(is_large() && !is_lost && map.report.objective > Minimizer_numbers::HOPELESS_RESULT)
       map = minimize(std::move(map), m_levels.most_final_work());
     map.work += relaxation + descent.work();

@@ -108,8 +108,9 @@ private:
       return nullptr;
     const bool is_worth_while = patch.number_of_vertices() > Minimizer_numbers::LARGE || !keeps_border();
     const bool keeps = !m_may_coarsen_border || !is_worth_while || !is_mostly_border(patch);
-    const bool is_small = m_patch.number_of_vertices() < Minimizer_numbers::LEAST_OF_FEW_WAVES;
-    const bool has_few_waves = is_mostly_border(patch) && (!is_small || m_coarsening == Coarsening::BY_EIGHTHS);
+    const bool is_large_polygon =
+        is_mostly_border(m_patch) && m_patch.number_of_vertices() >= Minimizer_numbers::LEAST_OF_FEW_WAVES;
+    const bool has_few_waves = is_mostly_border(patch) && (is_large_polygon || m_coarsening == Coarsening::BY_EIGHTHS);
     const int most_waves = has_few_waves ? Minimizer_numbers::MOST_WAVES : (std::numeric_limits<int>::max)();
     const int removable = keeps ? interior : interior + border;
     const int removed = number_to_remove(patch.number_of_vertices(), removable);

@@ -33,7 +33,7 @@ public:
   /// \param least_shape_kept a triangle may be thin, but not below this share of the shape of the one that it replaces;
   ///        none when the surface need not keep its shape
   /// \param keeps_border indicates whether border vertices stay
-  /// \param most_waves in which the vertices of large fans are put back
+  /// \param most_waves in which vertices on the rims of large fans are put back
   explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = Minimizer_numbers::SHAPE_KEPT,
                            bool keeps_border = true, int most_waves = (std::numeric_limits<int>::max)())
     : m_fine(fine),

@@ -117,8 +117,8 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   if(is_finished)
     finish_map(minimizer, visitor, outcome);
   if(settings.tries_other_starts && is_hopeless(outcome) && !outcome.report.is_cancelled) {
-    const bool is_polygon =
-        is_mostly_border(patch); // of which more candidates have a map than have one from other starts
+    // of polygons more candidates have a map than have one from other starts
+    const bool is_polygon = is_mostly_border(patch);
     if(is_polygon)
       search_longer(patch, minimizer, settings, outcome);
     if(is_hopeless(outcome))

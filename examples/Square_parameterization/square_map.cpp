@@ -245,8 +245,10 @@ int main(int argc, char** argv)
   handle_signals();
   if(!has_stack())
     return fail("the limit of the stack is too low: 512 kB are needed", UNMAPPABLE);
-  spare_address_space();
-  use_huge_pages();
+  if(has_limited_address_space())
+    spare_address_space();
+  else
+    use_huge_pages();
   Out_of_memory::handle(UNMAPPABLE);
   try {
     const Command_line line = parse_command_line(argc, argv);

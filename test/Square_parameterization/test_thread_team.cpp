@@ -68,6 +68,8 @@ TEST_CASE("an exception of a task comes out, and the team is as good as before")
                                ++begun;
                                if(i == 5)
                                  throw std::runtime_error("task 5");
+                               if(i > 5) // seconds of tasks, for a thread that is kept from telling of its exception
+                                 std::this_thread::sleep_for(std::chrono::microseconds(100));
                              }),
                         "task 5");
       CHECK(begun >= 1);

@@ -219,10 +219,11 @@ Square_map_options<Surface_mesh> with_first_candidate(int last_call, bool asks_f
   options.chords = Chords::EARS;
   options.search_options.moves_corners = false;
   options.search = Any_corner_search{[last_call, asks_for_work, &calls](const Corner_search_problem& problem) {
+    ++calls;
     problem.objective_of({0});
     if(asks_for_work)
       problem.work();
-    if(++calls == last_call) {
+    if(calls == last_call) {
       std::vector<int> others(problem.number_of_candidates - 1);
       std::iota(others.begin(), others.end(), 1);
       problem.objective_of(others);
@@ -254,6 +255,15 @@ TEST_CASE("where most of a mesh is border, a strategy that asks is asked once mo
   const Result result = map_onto_square(square_with_flap(4), with_first_candidate(2, true, calls)).result;
   CHECK(result.status == SMP::OK);
   CHECK(result.start == Map_start::AS_CHOSEN);
+  CHECK(calls == 2);
+}
+
+TEST_CASE("where it is stopped then, no other start is tried")
+{
+  int calls = 0;
+  auto options = with_first_candidate(2, true, calls);
+  options.search_options.callback = [&calls](double) { return calls < 2; };
+  CHECK(map_onto_square(square_with_flap(4), options).result.status == SMP::ERROR_NO_1_TO_1_MAPPING);
   CHECK(calls == 2);
 }
 

@@ -4,29 +4,25 @@
 #ifndef SQUARE_MAP_HUGE_PAGES_H
 #define SQUARE_MAP_HUGE_PAGES_H
 
-#include "spare_address_space.h"
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #endif
 
 namespace square_map {
 
 /// lets the memory of all threads come from one heap of huge pages, of which no part is given back before the end: factors and maps
-/// are made and thrown away all the time, and a tenth to a fifth of the time of a job went into the pages of 4 kB they lie on.
-/// Reserves address space, which costs nothing until it is used. To be called before there are threads. Does nothing where
-/// the address space is limited, and for other C libraries than glibc.
+/// are made and thrown away all the time, and up to a fifth of the time of a job went into the pages of 4 kB they lie on.
+/// Reserves address space, which costs nothing until it is used. To be called before there are threads, where the address
+/// space is not limited. Does nothing for other C libraries than glibc.
 inline void use_huge_pages()
 {
 #ifdef __GLIBC__
-  if(has_limited_address_space())
-    return;
   constexpr int RESERVED = 1 << 30, LARGEST_IN_HEAP = 32 << 20, USUAL_PAD = 1 << 20, NEVER = 0x7fffffff; // bytes
   mallopt(M_ARENA_MAX, 1);
   mallopt(M_TRIM_THRESHOLD, NEVER);

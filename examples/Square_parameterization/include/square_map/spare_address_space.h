@@ -29,14 +29,12 @@ inline bool has_limited_address_space()
   return is_limited(RLIMIT_AS) || is_limited(RLIMIT_DATA);
 }
 
-/// where the address space or the data of the process are limited, lets threads take little of it: by default each takes
-/// 8 MB for its stack and 64 to 128 MB for memory of its own, before it has used any, and leaves too little to map with.
-/// To be called before there are threads. Does nothing for other C libraries than glibc.
+/// lets threads take little of an address space that is limited: by default each takes 8 MB for its stack and 64 to 128 MB for
+/// memory of its own, before it has used any, and leaves too little to map with. To be called before there are threads. Does
+/// nothing for other C libraries than glibc.
 inline void spare_address_space()
 {
 #ifdef __GLIBC__
-  if(!has_limited_address_space())
-    return;
   // bytes; no function that threads run is recursive or has large arrays
   constexpr std::size_t STACK_OF_A_THREAD = 1 << 20;
   mallopt(M_ARENA_MAX, 1);

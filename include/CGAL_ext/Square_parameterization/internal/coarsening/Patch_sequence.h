@@ -108,15 +108,11 @@ private:
       return nullptr;
     const bool is_worth_while = patch.number_of_vertices() > Minimizer_numbers::LARGE || !keeps_border();
     const bool keeps = !m_may_coarsen_border || !is_worth_while || !is_mostly_border(patch);
-    const bool is_large_polygon =
-        is_mostly_border(m_patch) && m_patch.number_of_vertices() >= Minimizer_numbers::LEAST_OF_FEW_WAVES;
-    const bool has_few_waves = is_mostly_border(patch) && (is_large_polygon || m_coarsening == Coarsening::BY_EIGHTHS);
-    const int most_waves = has_few_waves ? Minimizer_numbers::MOST_WAVES : (std::numeric_limits<int>::max)();
     const int removable = keeps ? interior : interior + border;
     const int removed = number_to_remove(patch.number_of_vertices(), removable);
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
-        Patch_coarsener coarsener(patch, least_shape_kept, keeps, most_waves);
+        Patch_coarsener coarsener(patch, least_shape_kept, keeps, most_waves(patch));
         auto coarse = std::make_unique<Coarse_patch>(coarsener(patch.number_of_vertices() - removed));
         if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removed)
           return coarse;
@@ -124,6 +120,15 @@ private:
         // too degenerate to be a patch: the finer one does without
       }
     return nullptr;
+  }
+
+  /// the waves in which vertices on the rims of large fans of the patch are put back
+  int most_waves(const Patch& patch) const
+  {
+    const bool is_large_polygon =
+        is_mostly_border(m_patch) && m_patch.number_of_vertices() >= Minimizer_numbers::LEAST_OF_FEW_WAVES;
+    const bool are_few = is_mostly_border(patch) && (is_large_polygon || m_coarsening == Coarsening::BY_EIGHTHS);
+    return are_few ? Minimizer_numbers::MOST_WAVES : (std::numeric_limits<int>::max)();
   }
 
   /// of so many vertices, of which so many can be removed: half of those, or an eighth, but not so few that patch after

@@ -122,7 +122,10 @@ public:
            long((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::FINAL_VERTICES));
   }
 
-  /// the same where it is not
+  /// the same where much was spent before
+  long least_final_work() const { return most_final_work() / 4; }
+
+  /// the same where it is not hopeless
   long usual_final_work() const
   {
     const long more = (std::max)(m_patches[0].number_of_vertices() - Minimizer_numbers::FINAL_VERTICES, 0);

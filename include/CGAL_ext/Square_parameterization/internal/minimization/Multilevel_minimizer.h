@@ -122,7 +122,7 @@ public:
   {
     if(!is_large()) {
       Balanced_minimizer::Workspace workspace;
-      const long work = (std::max)(m_levels.most_final_work() - map.work_of_starts, m_levels.most_final_work() / 4);
+      const long work = (std::max)(m_levels.most_final_work() - map.work_of_starts, m_levels.least_final_work());
       map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance, {m_options.maximum_iterations, work},
                                            workspace);
     }
@@ -212,7 +212,7 @@ private:
       return minimizer.minimize(std::move(map), tolerance, {most, most_work}, workspace.levels[level]);
     };
     Minimized_map map = minimize({std::move(uv), {}, {}},
-                                 is_last && is_lost ? m_levels.most_final_work() / 4 : m_levels.usual_final_work());
+                                 is_last && is_lost ? m_levels.least_final_work() : m_levels.usual_final_work());
     if(is_large() && !is_lost && map.report.objective > Minimizer_numbers::HOPELESS_RESULT)
       map = minimize(std::move(map), m_levels.most_final_work());
     map.work += relaxation + descent.work();

@@ -121,7 +121,7 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
     const bool is_polygon = is_mostly_border(patch);
     if(is_polygon)
       search_longer(patch, minimizer, settings, outcome);
-    if(is_hopeless(outcome))
+    if(is_hopeless(outcome) && !outcome.report.is_cancelled)
       report.start = try_other_starts(patch, corners, settings, outcome);
     is_finished = is_finished && report.start == Map_start::AS_CHOSEN;
     if(!is_polygon)

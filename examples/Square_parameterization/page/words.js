@@ -55,7 +55,7 @@ function writeDeeds(page) {
   if (done.components > 1)
     addElement(list, 'li', `Component ${done.component} of ${done.components} was kept.`);
   tell(done.polygons_triangulated, 'polygon was', 'polygons were', ' split into triangles.');
-  tell(done.vertices_added, 'vertex was', 'vertices were', ' added in polygons that no diagonal could split.');
+  tell(done.vertices_added, 'vertex was', 'vertices were', ' added inside polygons.');
   tell(done.faces_reoriented, 'face was', 'faces were', ' turned round to agree with the neighbors.');
   tell(done.vertices_dropped, 'vertex without a kept face was', 'vertices without a kept face were', ' dropped.');
   if (done.seam_edges > 0)

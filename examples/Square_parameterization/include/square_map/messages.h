@@ -33,7 +33,7 @@ inline void tell_conditioning(const CGAL_ext::internal::Conditioning_report& con
               << (conditioning.components == 2 ? " of the other" : " of the others")
               << (conditioning.faces_dropped == 1 ? " was dropped\n" : " were dropped\n");
   tell(conditioning.polygons_triangulated, "polygon was", "polygons were", " split into triangles");
-  tell(conditioning.vertices_added, "vertex was", "vertices were", " added in polygons that no diagonal could split");
+  tell(conditioning.vertices_added, "vertex was", "vertices were", " added inside polygons");
   tell(conditioning.faces_reoriented, "face was", "faces were", " turned round to agree with the neighbors");
   if(conditioning.components > 1)
     tell(conditioning.vertices_dropped, "vertex without a kept face was", "vertices without a kept face were",

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_EAR_CLIPPING_H
 
 #include <CGAL_ext/Square_parameterization/internal/soup/Planar_points.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/Polygon_plane.h>
 
 #include <Eigen/Geometry>
 
@@ -32,8 +33,9 @@ class Ear_clipping
 {
 public:
   /// \param corners of the polygon, at least three
-  explicit Ear_clipping(const std::vector<Eigen::Vector3d>& corners)
-    : m_shapes(corners), m_plane(seen_along_normal(corners, normal())), m_size(corners.size())
+  /// \param plane of the polygon
+  Ear_clipping(const std::vector<Eigen::Vector3d>& corners, const Polygon_plane& plane)
+    : m_shapes(plane.small_corners()), m_plane(seen(plane, corners)), m_size(corners.size())
   {
     for(std::size_t k = 0; k < m_size; ++k) {
       m_next.push_back((k + 1) % m_size);
@@ -104,41 +106,14 @@ private:
 
   void push(std::size_t corner) { m_ears.push({score(corner), corner, m_changes[corner]}); }
 
-  /// the normal of the polygon, or zero; makes the corners small on the way, so that no product overflows
-  Eigen::Vector3d normal()
+  static std::vector<Planar_points::Point> seen(const Polygon_plane& plane, const std::vector<Eigen::Vector3d>& corners)
   {
-    const Eigen::Vector3d origin = m_shapes.front();
-    double size = 0;
-    for(Eigen::Vector3d& p : m_shapes) {
-      p = p / 2 - origin / 2;
-      size = (std::max)(size, p.cwiseAbs().maxCoeff());
-    }
-    Eigen::Vector3d sum(0, 0, 0);
-    for(Eigen::Vector3d& p : m_shapes)
-      p = p.unaryExpr([size](double x) { return size > 0 ? x / size : 0; });
-    for(std::size_t k = 0; k < m_shapes.size(); ++k)
-      sum += m_shapes[k].cross(m_shapes[(k + 1) % m_shapes.size()]);
-    return sum;
-  }
-
-  static std::vector<Planar_points::Point> seen_along_normal(const std::vector<Eigen::Vector3d>& corners,
-                                                             const Eigen::Vector3d& normal)
-  {
-    const std::array<int, 2> axes = axes_across(normal);
     std::vector<Planar_points::Point> points;
-    for(const Eigen::Vector3d& p : corners)
-      points.emplace_back(p[axes[0]], p[axes[1]]);
+    for(const Eigen::Vector3d& p : corners) {
+      const Eigen::Vector2d place = plane.seen(p);
+      points.emplace_back(place.x(), place.y());
+    }
     return points;
-  }
-
-  /// the coordinates that remain when the polygon is seen along the axis nearest to its normal, in such an order that
-  /// it is counter-clockwise: no rounding, and what lies on a line stays there
-  static std::array<int, 2> axes_across(const Eigen::Vector3d& normal)
-  {
-    int axis = 0;
-    normal.cwiseAbs().maxCoeff(&axis);
-    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    return normal[axis] < 0 ? std::array<int, 2>{last, next} : std::array<int, 2>{next, last};
   }
 
   /// how good an ear a corner makes: in ]0, 1] by its shape, 1 when it is equilateral; at most -1 for one that is not

@@ -6,8 +6,11 @@
 
 #include <CGAL_ext/Square_parameterization/internal/soup/Ear_clipping.h>
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/triangulate_flat_polygon.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -43,21 +46,22 @@ private:
   std::set<std::pair<std::size_t, std::size_t>> m_diagonals;
 };
 
+typedef std::vector<std::vector<std::size_t>> Soup_triangles;
+
 /// splits one polygon by diagonals that are no edges yet, for an edge must not get a third face. What cannot be split
 /// so, because all diagonals are edges, gets a vertex in its middle. The triangles are oriented as the polygon.
-inline std::vector<std::vector<std::size_t>>
-triangles_of_polygon(const std::vector<std::size_t>& polygon, Known_edges& edges, std::vector<Eigen::Vector3d>& points)
+/// \param corners of the polygon, and \p plane its plane
+inline Soup_triangles triangles_between_corners(const std::vector<std::size_t>& polygon,
+                                                const std::vector<Eigen::Vector3d>& corners, const Polygon_plane& plane,
+                                                Known_edges& edges, std::vector<Eigen::Vector3d>& points)
 {
-  std::vector<Eigen::Vector3d> corners;
-  for(std::size_t v : polygon)
-    corners.push_back(points[v]);
-  Ear_clipping clipping(corners);
+  Ear_clipping clipping(corners, plane);
   const auto is_known = [&](std::size_t a, std::size_t b) { return edges.contains(polygon[a], polygon[b]); };
   while(clipping.size() > 3 && clipping.clip(is_known)) {
     const auto& [a, b, c] = clipping.triangles().back();
     edges.add(polygon[a], polygon[c]);
   }
-  std::vector<std::vector<std::size_t>> triangles;
+  Soup_triangles triangles;
   for(const auto& [a, b, c] : clipping.triangles())
     triangles.push_back({polygon[a], polygon[b], polygon[c]});
   const std::vector<std::size_t> rest = clipping.rest();
@@ -74,13 +78,52 @@ triangles_of_polygon(const std::vector<std::size_t>& polygon, Known_edges& edges
   return triangles;
 }
 
+/// calls `visit(a, b)` for the diagonals of a polygon of \p size corners, which are the sides of two of its triangles
+template <class Visit>
+void for_diagonals(const Polygon_triangulation& polygon, std::size_t size, const Visit& visit)
+{
+  for(const auto& triangle : polygon.triangles)
+    for(int k = 0; k < 3; ++k) {
+      const std::size_t a = triangle[k], b = triangle[(k + 1) % 3]; // of the two triangles in one is a < b
+      if(a < b && b < size && b != a + 1 && (a != 0 || b + 1 != size))
+        visit(a, b);
+    }
+}
+
+/// splits one polygon with points inside, where that is worth while, or else between its corners
+inline Soup_triangles triangles_of_polygon(const std::vector<std::size_t>& polygon, Known_edges& edges,
+                                           std::vector<Eigen::Vector3d>& points)
+{
+  std::vector<Eigen::Vector3d> corners;
+  for(std::size_t v : polygon)
+    corners.push_back(points[v]);
+  const Polygon_plane plane(corners);
+  const std::optional<Polygon_triangulation> with_points = triangulate_flat_polygon(corners, plane);
+  bool may_be_split_so = with_points.has_value();
+  if(with_points)
+    for_diagonals(*with_points, polygon.size(), [&](std::size_t a, std::size_t b) {
+      may_be_split_so = may_be_split_so && !edges.contains(polygon[a], polygon[b]);
+    });
+  if(!may_be_split_so)
+    return triangles_between_corners(polygon, corners, plane, edges, points);
+  for_diagonals(*with_points, polygon.size(), [&](std::size_t a, std::size_t b) { edges.add(polygon[a], polygon[b]); });
+  const auto number = [&](std::size_t k) {
+    return k < polygon.size() ? polygon[k] : points.size() + k - polygon.size();
+  };
+  Soup_triangles triangles;
+  for(const auto& [a, b, c] : with_points->triangles)
+    triangles.push_back({number(a), number(b), number(c)});
+  points.insert(points.end(), with_points->added.begin(), with_points->added.end());
+  return triangles;
+}
+
 /// splits the faces with more than three vertices; the triangles of a face take its place, and new vertices come last.
 /// Returns how many faces it split. \p sides are those of the soup by edge, before any face is split.
 /// \pre no face repeats a vertex, no edge has more than two faces
 inline std::size_t triangulate_soup(Surface_soup& soup, const std::vector<Soup_side>& sides)
 {
   Known_edges edges(sides);
-  std::vector<std::vector<std::size_t>> triangles;
+  Soup_triangles triangles;
   std::size_t polygons = 0;
   for(auto& face : soup.faces) {
     if(face.size() == 3) {

@@ -12,6 +12,7 @@ Names of tables choose some; all of them take about a quarter of an hour. Exits 
 """
 import argparse
 import collections
+import csv
 import json
 import math
 import pathlib
@@ -117,12 +118,12 @@ METHOD_NAMES = {'CGAL iterative authalic': 'CGAL iterative authalic, 15 iteratio
 
 
 def methods(run):
-    csv = run.output / 'methods.csv'
-    if not (run.reuse and csv.exists()):
+    table = run.output / 'methods.csv'
+    if not (run.reuse and table.exists()):
         run('methods', ['taskset', '-c', '0', run.bin / 'fixed_border_methods', *run.files(BENCHMARK_MESHES),
-                        '--split-chords', '--repetitions', '5', '--csv', csv])
+                        '--split-chords', '--repetitions', '5', '--csv', table])
     figures = {}
-    for line in csv.read_text().splitlines()[1:]:
+    for line in table.read_text().splitlines()[1:]:
         mesh, method, maps, seconds, _, l2, linf, dirichlet, flips = line.split(',')[:9]
         key = (mesh, METHOD_NAMES.get(method, method))
         for column, value in zip(['maps', 'seconds', 'L2', 'Linf', 'Sym. Dir.', 'flips'],
@@ -323,7 +324,25 @@ def splines_in_readme():
             for column, cell in zip(SPLINE_COLUMNS, row[2:])}
 
 
+POLYGON_COLUMNS = ['L2 between corners', 'L2 with points', 'seconds with points']
+
+
+def polygons(run):
+    table = run.output / 'polygons.csv'
+    if not (run.reuse and table.exists()):
+        run('polygons', [pathlib.Path(__file__).parent / 'polygons.py', '--bin', run.bin, '--csv', table])
+    with open(table, newline='', encoding='utf-8') as lines:
+        rows = list(csv.DictReader(lines))
+    return {(row['polygon'], column): float(row[column]) for row in rows for column in POLYGON_COLUMNS}
+
+
+def polygons_in_manual():
+    return {(row[0], column): cell for row in read_table(MANUAL, '| Polygon of 2000 corners')
+            for column, cell in zip(POLYGON_COLUMNS, row[1:])}
+
+
 TABLES = {
+    'polygons': (polygons, polygons_in_manual),
     'splines': (splines, splines_in_readme),
     'strategies': (strategies, strategies_in_readme),
     'methods': (methods, methods_in_readme),

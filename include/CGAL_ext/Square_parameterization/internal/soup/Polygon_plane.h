@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +25,8 @@ public:
   /// \param corners of the polygon, at least three
   explicit Polygon_plane(const std::vector<Eigen::Vector3d>& corners) : m_small(corners)
   {
+    for(const Eigen::Vector3d& p : corners)
+      m_mean += p / static_cast<double>(corners.size());
     make_small();
     for(std::size_t k = 0; k < m_small.size(); ++k)
       m_normal += m_small[k].cross(m_small[(k + 1) % m_small.size()]);
@@ -41,37 +42,29 @@ public:
   /// the two coordinates of a point that are seen
   Eigen::Vector2d seen(const Eigen::Vector3d& p) const { return {p[m_axes[0]], p[m_axes[1]]}; }
 
-  /// indicates whether the corners lie in a plane, but for so much of the size of the polygon
-  bool is_flat(double tolerance) const
-  {
-    const double length = m_normal.norm();
-    const Eigen::Vector3d origin = mean(m_small);
-    return length > 0 && std::all_of(m_small.begin(), m_small.end(), [&](const Eigen::Vector3d& p) {
-             return std::abs(m_normal.dot(p - origin)) <= tolerance * length;
-           });
-  }
+  /// indicates whether there is a plane: the polygon has an area, seen from somewhere
+  bool has_normal() const { return m_normal.norm() > 0; }
 
-  /// the point of the plane that is seen at \p p
-  /// \param origin a point of the plane
-  Eigen::Vector3d point_seen_at(const Eigen::Vector2d& p, const Eigen::Vector3d& origin) const
+  /// how far a point is from the plane, along the axis
+  double height(const Eigen::Vector3d& p) const { return p[m_axes[2]] - level(seen(p)); }
+
+  /// the point that is seen at \p p and has the height
+  Eigen::Vector3d point(const Eigen::Vector2d& p, double height) const
   {
-    const Eigen::Vector2d from_origin = p - seen(origin);
     Eigen::Vector3d result;
     result[m_axes[0]] = p.x();
     result[m_axes[1]] = p.y();
-    result[m_axes[2]] = origin[m_axes[2]] - from_origin.dot(seen(m_normal)) / m_normal[m_axes[2]];
+    result[m_axes[2]] = level(p) + height;
     return result;
   }
 
-  static Eigen::Vector3d mean(const std::vector<Eigen::Vector3d>& points)
+private:
+  /// the coordinate along the axis of the plane through the mean of the corners. \pre `has_normal()`
+  double level(const Eigen::Vector2d& p) const
   {
-    Eigen::Vector3d sum(0, 0, 0);
-    for(const Eigen::Vector3d& p : points)
-      sum += p / static_cast<double>(points.size());
-    return sum;
+    return m_mean[m_axes[2]] - (p - seen(m_mean)).dot(seen(m_normal)) / m_normal[m_axes[2]];
   }
 
-private:
   void make_small()
   {
     const Eigen::Vector3d origin = m_small.front();
@@ -84,6 +77,7 @@ private:
       p = p.unaryExpr([size](double x) { return size > 0 ? x / size : 0; });
   }
 
+  Eigen::Vector3d m_mean{0, 0, 0};
   std::vector<Eigen::Vector3d> m_small;
   Eigen::Vector3d m_normal{0, 0, 0}; // of the small polygon; zero when it has none
   std::array<int, 3> m_axes{};       // the two that are seen, and the one along which they are

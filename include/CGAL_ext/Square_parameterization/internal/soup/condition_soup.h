@@ -31,8 +31,7 @@ struct Conditioning_report
   std::size_t vertices_dropped = 0;      ///< isolated vertices and those of the other components
   std::size_t faces_reoriented = 0;      ///< faces that were turned round
   std::size_t polygons_triangulated = 0; ///< faces that were split
-  std::size_t vertices_added =
-      0; ///< inside polygons: large flat ones, and those that no diagonal could split; they come last
+  std::size_t vertices_added = 0;     ///< inside large polygons, and those that no diagonal could split; they come last
   std::vector<std::size_t> new_index; ///< per vertex of the input; `DROPPED` for one without a face
 
   static constexpr std::size_t DROPPED = static_cast<std::size_t>(-1);

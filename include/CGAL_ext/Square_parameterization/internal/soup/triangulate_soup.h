@@ -6,7 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/soup/Ear_clipping.h>
 #include <CGAL_ext/Square_parameterization/internal/soup/Surface_soup.h>
-#include <CGAL_ext/Square_parameterization/internal/soup/triangulate_flat_polygon.h>
+#include <CGAL_ext/Square_parameterization/internal/soup/triangulate_large_polygon.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -98,7 +98,7 @@ inline Soup_triangles triangles_of_polygon(const std::vector<std::size_t>& polyg
   for(std::size_t v : polygon)
     corners.push_back(points[v]);
   const Polygon_plane plane(corners);
-  const std::optional<Polygon_triangulation> with_points = triangulate_flat_polygon(corners, plane);
+  const std::optional<Polygon_triangulation> with_points = triangulate_large_polygon(corners, plane);
   bool may_be_split_so = with_points.has_value();
   if(with_points)
     for_diagonals(*with_points, polygon.size(), [&](std::size_t a, std::size_t b) {

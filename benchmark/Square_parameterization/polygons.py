@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The CGAL_ext authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What points inside large polygons save: each polygon is mapped by `square_map --triangulate` on one core as it is, when it is split
+with points inside, and with its first and third corner exchanged, when it meets itself and is split between its corners alone.
+
+    polygons.py --corners 2000
+"""
+import math
+import pathlib
+import random
+
+import measured_jobs
+
+
+def round_polygon(corners, radius_of):
+    return [(radius_of(k) * math.cos(2 * math.pi * k / corners), radius_of(k) * math.sin(2 * math.pi * k / corners))
+            for k in range(corners)]
+
+
+def comb(corners):
+    """teeth of 1 by 2 on a base of height 5"""
+    teeth = corners // 4
+    points = [(-1, -5), (2 * teeth, -5), (2 * teeth, 0)]
+    for tooth in reversed(range(teeth)):
+        points += [(2 * tooth + x, y) for x, y in [(1, 0), (1, 2), (0, 2), (0, 0)]]
+    return points + [(-1, 0)]
+
+
+def polygons(corners):
+    """{name: points in the plane}"""
+    numbers = random.Random(1)
+    radii = [numbers.uniform(0.7, 1) for _ in range(corners)]
+    result = {'circle': round_polygon(corners, lambda k: 1),
+              'seven waves, radii 0.8 to 1.2': round_polygon(corners, lambda k: 1 + math.sin(14 * math.pi * k / corners) / 5),
+              'teeth of ten corners, radii 1 and 0.8': round_polygon(corners, lambda k: 1 if (k + 5) // 10 % 2 else 0.8),
+              'radii between 0.7 and 1 at random': round_polygon(corners, lambda k: radii[k]),
+              'comb': comb(corners)}
+    for inner in [0.95, 0.8, 0.5, 0.2]:
+        result['radii 1 and %g in turns' % inner] = round_polygon(corners, lambda k, r=inner: 1 if k % 2 else r)
+    return result
+
+
+def write(path, points):
+    with open(path, 'w', encoding='ascii') as file:
+        file.write('OFF\n%d 1 0\n' % len(points))
+        file.writelines('%.17g %.17g 0\n' % point for point in points)
+        file.write('%d %s\n' % (len(points), ' '.join(map(str, range(len(points))))))
+
+
+def main():
+    parser = measured_jobs.parser(__doc__)
+    parser.add_argument('--corners', type=int, default=2000, help='about; default 2000')
+    arguments = parser.parse_args()
+    programs = measured_jobs.Programs(arguments)
+    path = pathlib.Path(programs.folder.name) / 'polygon.off'
+    rows = []
+    for name, points in polygons(arguments.corners).items():
+        row = [name]
+        for corners in [points[2::-1] + points[3:], points]:
+            write(path, corners)
+            job = programs.job(path, 1, '--triangulate')
+            row += [job['faces'], '%.3f' % job['l2'], job['seconds']]
+        rows.append(row)
+    print('Polygons of %d corners on one core, %s\n' % (arguments.corners, measured_jobs.processor()))
+    columns = ['polygon', *('%s %s' % (column, kind) for kind in ['between corners', 'with points']
+                            for column in ['faces', 'L2', 'seconds'])]
+    measured_jobs.print_table(columns, rows, arguments.csv)
+
+
+if __name__ == '__main__':
+    main()

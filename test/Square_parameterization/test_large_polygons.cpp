@@ -200,7 +200,7 @@ TEST_CASE("points inside a polygon that is not flat lie on the harmonic surface 
   }
 }
 
-TEST_CASE("polygons that have few corners, meet themselves as they are seen, or are huge get no points inside")
+TEST_CASE("polygons that have few corners, meet themselves as they are seen, or are huge or tiny get no points inside")
 {
   Planar_polygon eight; // a curve that crosses itself
   for(int k = 0; k < 200; ++k)
@@ -209,6 +209,7 @@ TEST_CASE("polygons that have few corners, meet themselves as they are seen, or 
   doubled.insert(doubled.begin() + 30, doubled[30]);
   for(Surface_soup soup : {soup_of(circle(49)), soup_of(eight), soup_of(doubled),
                            soup_of(circle(60), {1e200, 0, 0}, {0, 1e200, 0}, {0, 0, 0}),
+                           soup_of(circle(60), {1e-200, 0, 0}, {0, 1e-200, 0}, {0, 0, 0}),
                            soup_of(circle(60), {0, 0, 0}, {0, 1, 0}, {0, 0, 0})}) {
     const std::size_t corners = soup.points.size();
     const Conditioning_report report = split(soup);

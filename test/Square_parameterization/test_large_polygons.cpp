@@ -220,8 +220,7 @@ TEST_CASE("polygons that have few corners, meet themselves as they are seen, or 
 
 TEST_CASE("the two sides of a large flat polygon share its sides alone")
 {
-  for(const Planar_polygon& polygon :
-      {circle(300), comb(30)}) { // of the second few corners are far enough from each other
+  for(const Planar_polygon& polygon : {circle(300), comb(30)}) {
     Surface_soup pillow = soup_of(polygon);
     pillow.faces.push_back(pillow.faces[0]);
     std::reverse(pillow.faces[1].begin(), pillow.faces[1].end());
@@ -234,7 +233,7 @@ TEST_CASE("the two sides of a large flat polygon share its sides alone")
   }
 }
 
-TEST_CASE("the free places of a quadtree are away from the polygon, and dense where its corners are")
+TEST_CASE("the free places of a quadtree are away from the polygon, and of the order of its corners")
 {
   const Planar_polygon polygon = polygon_of_radii(1000, [](int k) { return 1 + 0.2 * std::sin(0.05 * k); });
   const std::vector<Eigen::Vector2d> places = Polygon_quadtree(polygon, 3).free_centers();

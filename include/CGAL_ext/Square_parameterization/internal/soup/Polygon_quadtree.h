@@ -65,9 +65,8 @@ public:
 
 private:
   static constexpr int NONE = -1;
-  static constexpr int DEEPEST = 26; // level: so that the places of all cells are exact
-  static constexpr double WIDER =
-      1 + 1e-4; // the box of all, and of each cell when it is asked for what crosses it: rounding
+  static constexpr int DEEPEST = 26;        // level: so that the places of all cells are exact
+  static constexpr double WIDER = 1 + 1e-4; // the box of all, and cells that are asked for what crosses them: rounding
 
   struct Cell
   {

@@ -129,13 +129,13 @@ struct Cut_numbers
   /// take more than a second.
   long growth_work_of_small = 75;
 
-  /// vertices mapped at least where that is less. Fewer: surfaces of less than two hundred faces, which take no time, get
-  /// stretch that they need not have.
-  long least_growth_work = 10000;
-
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
   /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
   long decision_work_per_vertex = 60;
+
+  /// vertices that growth maps on one copy, at most, where the numbers per vertex make it less. Fewer: surfaces of less than
+  /// two hundred faces, which take no time, get stretch that they need not have.
+  long least_growth_work = 10000;
 
   /// times the work above, while no cut that was met has a map. Fewer: some surfaces of which hardly any cut has one have
   /// no map in the end; more: seconds of search in vain.
@@ -170,10 +170,10 @@ struct Cut_numbers
   /// places round a terminal, besides that along the cut, where it is tried. Each costs a map.
   int directions = 3;
 
-  /// how far a terminal is moved at first, in units of sqrt(area): five edges of the copy
+  /// how far a terminal is moved at first, in units of sqrt(area): five edges of 4000 faces, two of 700
   double first_step = 0.12;
 
-  /// how far it is moved at last, in units of sqrt(area): about an edge of the copy, below which there is
+  /// how far it is moved at last, in units of sqrt(area): about an edge of 4000 faces, below which there is
   /// no other place. Steps are halved in between.
   double last_step = 0.03;
 

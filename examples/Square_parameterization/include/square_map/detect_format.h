@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SQUARE_MAP_DETECT_FORMAT_H
+#define SQUARE_MAP_DETECT_FORMAT_H
+
+#include "File_format.h"
+#include "read_obj.h"
+#include "read_off.h"
+#include "read_stl.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace square_map {
+
+/// the format that the first words of a text, or the size of a binary file, tell
+inline std::optional<File_format> format_of_content(std::string_view text)
+{
+  if(has_size_of_binary_stl(text))
+    return File_format::STL;
+  Text_scanner scanner(text, '#');
+  const std::string_view word = scanner.next_word_anywhere();
+  if(word == "ply")
+    return File_format::PLY;
+  if(parse_off_keyword(word))
+    return File_format::OFF;
+  if(begins_with_solid(text))
+    return File_format::STL;
+  if(word == "v" || word == "f" || unused_obj_lines().count(word) != 0)
+    return File_format::OBJ;
+  return {};
+}
+
+/// the format of a file without \p is_stream by its extension, of a stream without a known extension by its content
+/// \throw Malformed_file with the reason alone
+inline File_format format_of(const std::string& path, bool is_stream, std::string_view text)
+{
+  if(const auto format = format_of_extension(path))
+    return *format;
+  if(is_stream) {
+    if(const auto format = format_of_content(text))
+      return *format;
+    throw Malformed_file(text.empty()
+                             ? "it is empty"
+                             : "it does not begin as an OFF, OBJ, PLY or STL file; --input-format names a format");
+  }
+  const std::string extension = extension_of(path);
+  throw Malformed_file((extension.empty() ? "it has no extension" : "its extension '." + extension + "' is unknown") +
+                       "; .off, .obj, .ply or .stl was expected, or --input-format");
+}
+
+/// what to say after the reason why a file could not be read in a format: that it begins as one of another
+inline std::string other_format(std::string_view text, File_format format)
+{
+  const std::optional<File_format> begun = format_of_content(text);
+  return begun && *begun != format ? std::string("; it begins as ") + name_of(*begun) : "";
+}
+
+} // namespace square_map
+
+#endif // SQUARE_MAP_DETECT_FORMAT_H

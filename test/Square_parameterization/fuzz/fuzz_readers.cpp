@@ -3,6 +3,7 @@
 
 // Bytes as a file: the readers of square_map and the conditioning must take or refuse them.
 
+#include <square_map/detect_format.h>
 #include <square_map/read_surface.h>
 
 #include <cstdint>

@@ -6,6 +6,10 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/thin_fans.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <catch2/catch.hpp>
 

@@ -276,6 +276,10 @@ struct Minimizer_numbers
   /// starts are tried before. Less: a map that would do is left for one that is a little worse.
   static constexpr double LOST_RESULT = 1e9;
 
+  /// relative difference of two energies, at most, at which another start has led to the same hopeless map: no more are
+  /// tried. Less: surfaces of a thousand faces take more than a second, in vain.
+  static constexpr double AGREEMENT_OF_STARTS = 0.02;
+
   /// share of the vertices of the patch to be mapped, below which a coarse patch may be given up for its energy: of
   /// later ones most of the work is done. Larger: work on polygons of ten thousand corners is thrown away.
   static constexpr double LARGEST_GIVEN_UP = 0.2;

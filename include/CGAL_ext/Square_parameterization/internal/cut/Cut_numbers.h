@@ -127,7 +127,7 @@ struct Cut_numbers
 
   /// the same per vertex of a surface so small that no copy of `growth_faces` is made. More: surfaces of a thousand faces
   /// take more than a second.
-  long growth_work_of_small = 75;
+  long growth_work_of_small = 65;
 
   /// the same in the scores of the cuts that are carried over to the copy of `decision_faces`: several times what
   /// a dozen ordinary ones take. Fewer: a good cut is not met there, where maps are slow.
@@ -177,10 +177,10 @@ struct Cut_numbers
   /// no other place. Steps are halved in between.
   double last_step = 0.03;
 
-  /// vertices mapped to refine a cut for one weight, at most: a dozen cuts of a few hundred faces. Where a score costs more,
+  /// vertices mapped to refine a cut for one weight, at most: nine cuts of a few hundred faces. Where a score costs more,
   /// as on the copy of `decision_faces`, nothing is refined. Four times as many vertices as there are instead: L2 + 0.05
   /// length of thirteen surfaces falls by a tenth of a per cent, for a fifth more time.
-  long refinement_work = 2000;
+  long refinement_work = 1500;
 
   /// vertices mapped to refine a cut for a weight outside the family, where growth has come less far, at most: fifteen cuts of
   /// 4000 faces. Less: needles are not cut across where that is wanted.

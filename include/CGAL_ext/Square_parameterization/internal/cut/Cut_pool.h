@@ -85,17 +85,18 @@ public:
   }
 
   /// scores cuts to begin with, all of them well: the first, which tells what a score costs, and as many more as there is
-  /// work for
+  /// work for. No more at a time than are known, since some cost ten times what the first has cost.
   void start(const std::vector<Cut>& cuts, long work)
   {
     std::size_t next = 0, end = 1;
-    while(next < cuts.size() && (next == 0 || !is_exhausted(work))) {
+    while(next < (std::min)(end, cuts.size())) {
       std::vector<Scored_cut> starts;
       for(; next < (std::min)(end, cuts.size()); ++next)
         starts.push_back({cuts[next], Cut_step::INITIAL, -1});
       const std::size_t number = starts.size();
       score(std::move(starts), 0, number);
-      end = next + 1 + static_cast<std::size_t>((std::max)(0L, most_work(work) - m_work) / work_per_score());
+      const long left = has_passed(m_deadline) ? 0 : (std::max)(0L, most_work(work) - m_work);
+      end = next + (std::min)(next, static_cast<std::size_t>(left / work_per_score()));
     }
   }
 

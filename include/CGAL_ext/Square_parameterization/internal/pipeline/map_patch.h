@@ -15,6 +15,7 @@
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,8 +58,18 @@ inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_
   return !(outcome.map.report.objective < least);
 }
 
+/// indicates whether two starts have led to maps of one energy, which is then the fault of the surface. Lost maps, which are
+/// far from any minimum, tell nothing.
+inline bool do_agree(const Search_outcome& a, const Search_outcome& b)
+{
+  const double difference = std::abs(a.map.report.objective - b.map.report.objective);
+  return !is_hopeless(a, Minimizer_numbers::LOST_RESULT) && !is_hopeless(b, Minimizer_numbers::LOST_RESULT) &&
+         difference <= Minimizer_numbers::AGREEMENT_OF_STARTS * b.map.report.objective;
+}
+
 /// tries the other starts until one is not hopeless; when there is a map, until all have cost too much, but one in any
-/// case. Where the first has a map and has cost too much, there are none. `finish_map()` is to follow.
+/// case, or one agrees with the best. Where the first has a map and has cost too much, there are none. `finish_map()` is to
+/// follow.
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
 inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
@@ -72,14 +83,15 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   const Deadline& deadline = settings.search_options.deadline;
   const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
   double work = best.work;
-  bool is_cancelled = false;
+  bool is_cancelled = false, is_confirmed = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
-    const bool is_enough = has_map(best) && (work > most_work || other.is_last_resort);
+    const bool is_enough = has_map(best) && (is_confirmed || work > most_work || other.is_last_resort);
     if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;
     work += next.work;
+    is_confirmed = do_agree(best, next);
     if(next.map.report.objective < best.map.report.objective) {
       best = std::move(next);
       start = other.start;

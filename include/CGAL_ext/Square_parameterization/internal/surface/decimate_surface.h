@@ -6,116 +6,25 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/thin_fans.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-
-// CGAL 6 renames this predicate and warns of the old name
-#if __has_include(<CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>)
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
-#define CGAL_EXT_EDGE_COUNT_STOP_PREDICATE Edge_count_stop_predicate
-#else
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
-#define CGAL_EXT_EDGE_COUNT_STOP_PREDICATE Count_stop_predicate
-#endif
-
-#include <algorithm>
-#include <array>
 #include <optional>
-#include <utility>
-#include <vector>
-
-#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// stops when fewer edges are left than a number, or a deadline has passed
-template <class Mesh>
-class Edge_count_or_deadline_stop_predicate
-{
-public:
-  Edge_count_or_deadline_stop_predicate(std::size_t edges, const Deadline& deadline)
-    : m_has_few_edges(edges), m_deadline(deadline)
-  {}
-
-  template <class Cost, class Profile, class Count>
-  bool operator()(const Cost& cost, const Profile& profile, Count initial_edges, Count edges) const
-  {
-    return has_passed(m_deadline) || m_has_few_edges(cost, profile, initial_edges, edges);
-  }
-
-private:
-  CGAL::Surface_mesh_simplification::CGAL_EXT_EDGE_COUNT_STOP_PREDICATE<Mesh> m_has_few_edges;
-  Deadline m_deadline;
-};
-#undef CGAL_EXT_EDGE_COUNT_STOP_PREDICATE
-
-/// collapses edges, those of least cost first, until about \p faces triangles are left, or the deadline has passed
-template <class Mesh, class Cost, class Placement>
-void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& placement, const Deadline& deadline)
-{
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  const std::size_t edges = 3 * static_cast<std::size_t>(faces) / 2;
-  SMS::edge_collapse(
-      mesh, Edge_count_or_deadline_stop_predicate<Mesh>(edges, deadline),
-      CGAL::parameters::get_cost(cost).get_placement(placement).filter(SMS::Bounded_normal_change_filter<>()));
-}
 
 /// a simpler surface of the same topology with about \p faces triangles, or more where the topology needs them; nothing
 /// when simplification spoils the surface, or the deadline has passed before it is done. The shortest edges of a very
 /// fine surface are collapsed first, in a third of the time, which costs hardly any of its shape.
 /// \param very_fine times \p faces: surfaces with more triangles are very fine
 /// \param still_fine times \p faces: triangles left by collapsing the shortest edges
-inline std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces, double very_fine,
-                                                        double still_fine, const Deadline& deadline = {})
-{
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  typedef CGAL::Simple_cartesian<double> Kernel;
-  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-  constexpr std::size_t MOST_TRIANGLES_OF_VERTEX = 64;
-  Mesh mesh;
-  for(const Eigen::Vector3d& p : surface.points)
-    mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  for(const auto& [a, b, c] : surface.triangles)
-    if(mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) == Mesh::null_face())
-      return std::nullopt;
-  thin_fans(mesh, MOST_TRIANGLES_OF_VERTEX, deadline);
-  if(surface.number_of_faces() > very_fine * faces)
-    collapse_edges(mesh, static_cast<int>(still_fine * faces), SMS::Edge_length_cost<Mesh>(),
-                   SMS::Midpoint_placement<Mesh>(), deadline);
-  if(!has_passed(deadline)) // else even the costs of the edges are not computed
-    collapse_edges(mesh, faces, SMS::LindstromTurk_cost<Mesh>(), SMS::LindstromTurk_placement<Mesh>(), deadline);
-  if(has_passed(deadline))
-    return std::nullopt;
-  mesh.collect_garbage();
-
-  std::vector<Eigen::Vector3d> points;
-  for(Mesh::Vertex_index v : mesh.vertices())
-    points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-  std::vector<std::array<int, 3>> triangles;
-  for(Mesh::Face_index f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    const auto number = [](Mesh::Vertex_index v) { return static_cast<int>(v.idx()); };
-    triangles.push_back({number(mesh.source(h)), number(mesh.target(h)), number(mesh.target(mesh.next(h)))});
-  }
-  const bool is_finite = std::all_of(points.begin(), points.end(), [](const auto& p) { return p.allFinite(); });
-  Triangle_surface result = make_triangle_surface(std::move(points), std::move(triangles));
-  if(!is_finite || result.border_loops.size() != surface.border_loops.size() || result.genus() != surface.genus())
-    return std::nullopt;
-  return result;
-}
+std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces, double very_fine,
+                                                 double still_fine, const Deadline& deadline = {});
 
 } // namespace internal
 } // namespace CGAL_ext
 
-#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_DECIMATE_SURFACE_H

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The CGAL_ext authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "make_patch_of.h"
+#include "test_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/internal/pipeline/map_patch.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <variant>
+
+using namespace CGAL_ext;
+using namespace CGAL_ext::internal;
+
+TEST_CASE("another start that leads to the same hopeless map is the last")
+{
+  // any map of a strip that is a few million times as long as wide is stretched a thousand times
+  const Patch patch = make_patch_of(rectangle(8, 8, 5e6, 1, 1));
+  const Corners corners{0, 8, 16, 24};
+  const Square_map_settings settings;
+  const auto map_from = [&](const Map_minimizer& minimizer) { return map_with_corners(patch, minimizer, corners); };
+  Search_outcome best = map_from(*make_minimizer(patch, settings.minimization));
+  REQUIRE(is_hopeless(best));
+  const auto starts = other_starts(patch, std::get<Balanced_minimization>(settings.minimization), {});
+  const Search_outcome second = map_from(*starts.front().make_minimizer());
+  const double energy = best.map.report.objective, work = best.work + second.work;
+  REQUIRE(do_agree(best, second));
+  SECTION("the best map agrees with it")
+  {
+    try_other_starts(patch, corners, settings, best);
+    CHECK(best.work == work);
+    CHECK(best.map.report.objective == (std::min)(energy, second.map.report.objective));
+  }
+  SECTION("the best map is another one")
+  {
+    best.map.report.objective *= 1.1;
+    CHECK_FALSE(do_agree(best, second));
+    try_other_starts(patch, corners, settings, best);
+    CHECK(best.work > work);
+  }
+  SECTION("maps that are lost tell nothing")
+  {
+    Search_outcome lost = best;
+    lost.map.report.objective = 1e10;
+    CHECK_FALSE(do_agree(lost, lost));
+  }
+}

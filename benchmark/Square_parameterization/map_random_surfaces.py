@@ -27,7 +27,8 @@ import sys
 import tempfile
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-HANG = 150  # seconds of processor time
+HANG = 150  # seconds of processor time, more than which is a hang
+HANG_OF_CANDIDATE = 1  # the same for each vertex where all those of the border are mapped
 DONE, BAD_COMMAND_LINE, BAD_FILE, UNMAPPABLE, NO_MAP = 0, 2, 3, 4, 5
 STRATEGIES = ['bracketing', 'none', 'quarter-brute-force', 'brute-force', 'step-sampling', 'single-highest', 'many-high',
               'better-of-two', 'hybrid', 'particle-swarm']
@@ -103,14 +104,16 @@ def random_options(choice, surface, folder):
     return options
 
 
-def limit_time():
-    resource.setrlimit(resource.RLIMIT_CPU, (HANG, HANG + 10))
+def hang_of(options, surface):
+    """seconds of processor time, more than which is a hang"""
+    return max(HANG, HANG_OF_CANDIDATE * read_faces(surface)[0]) if 'brute-force' in options else HANG
 
 
-def run(command):
-    """exit status, messages, seconds of processor time"""
+def run(command, hang):
+    """exit status, messages, seconds of processor time; it is ended after `hang` seconds"""
     with tempfile.TemporaryFile() as messages:
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=messages, preexec_fn=limit_time)
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=messages,
+                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (hang, hang + 10)))
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)  # it is waited for
         messages.seek(0)
@@ -164,7 +167,8 @@ class Outcome:
                             random_options(self.choice, surface, folder))
             map_file, report_file = folder / 'out' / 'map.obj', folder / 'out' / 'report.json'
             self.status, self.messages, self.seconds = run(
-                [arguments.square_map, surface, '-q', '-o', map_file, '--json', report_file] + self.options)
+                [arguments.square_map, surface, '-q', '-o', map_file, '--json', report_file] + self.options,
+                hang_of(self.options, surface))
             self.report = json.loads(report_file.read_text()) if report_file.exists() else None
             self.problems = self.find_problems({path.name for path in (folder / 'out').iterdir()})
             if self.status == DONE and not self.problems:

@@ -4,6 +4,7 @@
 #include "fuzz/Random_surface.h"
 #include "fuzz/map_bytes.h"
 #include "fuzz/random_choices.h"
+#include "square_map/name_of_start.h"
 #include "test_meshes.h"
 
 #include <catch2/catch.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -117,6 +119,48 @@ std::pair<std::vector<double>, Mapped_soup> map_costly_surface(unsigned int seed
 }
 
 } // namespace
+
+TEST_CASE("a surface whose usual start leads to no map, or to a hopeless one, is mapped from another start")
+{
+  using CGAL_ext::Map_start;
+  const auto [seed, start] = GENERATE(
+      table<unsigned int, Map_start>({{12000064, Map_start::GRADUAL_COARSENING}, // a tube with handles and nails
+                                      {16000112, Map_start::GRADUAL_COARSENING}, // a spiral with handles, snapped
+                                      {16000010, Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS}, // a torn fan, snapped
+                                      {12000058, Map_start::MEAN_VALUE_WEIGHTS},    // fins with nails and spikes
+                                      {12000110, Map_start::FIXED_BORDER_FIRST}})); // a sheet with spikes
+  CAPTURE(seed);
+  Choices_of_bytes choices = random_choices(0, 1);
+  choices.options = {};
+  choices.conditioning_options = {CGAL_ext::internal::Topology::CONNECTED, 0, true};
+  choices.has_seams = choices.has_corners = false;
+  const auto map_from = [&](bool tries_other_starts, const CGAL_ext::Balanced_minimization& minimization) {
+    choices.options.tries_other_starts = tries_other_starts;
+    choices.options.minimization = minimization;
+    return map_soup(Random_surface(seed, 2000).soup(), choices);
+  };
+  CGAL_ext::Balanced_minimization minimization;
+  const Mapped_soup mapped = map_from(true, minimization), usual = map_from(false, minimization);
+  REQUIRE(mapped.outcome == Outcome::ONE_TO_ONE);
+  CHECK(mapped.start == start);
+  // not far above the maps from the weights, or the border, of other starts
+  minimization.start.weights = CGAL_ext::Uniform_weights();
+  const Mapped_soup uniform = map_from(false, minimization);
+  minimization.border = CGAL_ext::Border_motion::FIXED;
+  const Mapped_soup fixed = map_from(false, minimization);
+  for(const Mapped_soup& other : {usual, uniform, fixed})
+    if(other.outcome == Outcome::ONE_TO_ONE)
+      CHECK(mapped.measures.l2 < 1.3 * other.measures.l2);
+}
+
+TEST_CASE("each start has a name of its own")
+{
+  std::set<std::string> names;
+  for(int start = 0; start <= static_cast<int>(CGAL_ext::Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS); ++start)
+    names.insert(square_map::name_of(static_cast<CGAL_ext::Map_start>(start)));
+  CHECK(names.size() == 8);
+  CHECK(square_map::name_of(CGAL_ext::Map_start::UNIFORM_WEIGHTS) == "uniform weights");
+}
 
 TEST_CASE("a spiral with ears, whose rims of large fans were once lost in rounding, is mapped")
 {

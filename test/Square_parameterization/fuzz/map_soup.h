@@ -28,6 +28,7 @@ struct Mapped_soup
   Outcome outcome;
   std::string message;                   ///< why there is no map
   CGAL_ext::Stretch_measures measures{}; ///< of the map
+  CGAL_ext::Map_start start{};           ///< where it began
 };
 
 /// some edges of the mesh
@@ -102,7 +103,7 @@ inline Mapped_soup map_soup(CGAL_ext::internal::Surface_soup soup, const Choices
   check_one_to_one(mesh, uv, result);
   check_border_walk(mesh, uv, result.corners[0]);
   check_stretch(mesh, uv, result.measures);
-  return {Outcome::ONE_TO_ONE, "", result.measures};
+  return {Outcome::ONE_TO_ONE, "", result.measures, result.start};
 }
 
 #endif // CGAL_EXT_FUZZ_MAP_SOUP_H

@@ -85,7 +85,7 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   double work = best.work;
   bool is_cancelled = false, is_confirmed = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
-    const bool is_enough = has_map(best) && (is_confirmed || work > most_work || other.is_last_resort);
+    const bool is_enough = has_map(best) && (is_confirmed || work > most_work);
     if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);

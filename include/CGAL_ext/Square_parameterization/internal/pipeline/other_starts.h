@@ -24,7 +24,6 @@ struct Other_start
 {
   Map_start start;
   std::function<std::shared_ptr<const Map_minimizer>()> make_minimizer;
-  bool is_last_resort = false; ///< tried only while there is no map
 };
 
 /// the starts that are left when that of the options has failed, in the order in which they are tried. All are coarsened
@@ -48,9 +47,8 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
     Balanced_minimization fixed = chosen;
     fixed.border = Border_motion::FIXED;
     starts.push_back({Map_start::FIXED_BORDER_FIRST, with_weights(fixed, fixed.start.weights)});
-    starts.push_back({Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS, with_weights(fixed, Uniform_weights()), true});
-    starts.push_back(
-        {Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS, with_weights(fixed, Mean_value_weights()), true});
+    starts.push_back({Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS, with_weights(fixed, Uniform_weights())});
+    starts.push_back({Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS, with_weights(fixed, Mean_value_weights())});
   }
   return starts;
 }

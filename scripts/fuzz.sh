@@ -28,7 +28,17 @@ printf '\2ply\nformat ascii 1.0\nelement vertex 3\nproperty short x\nproperty fl
   $'property list uchar ushort vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 .5\n3 0 1 2' > corpus_readers/triangle.ply
 printf '\3solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid x\n' \
   > corpus_readers/triangle.stl
-printf '\5# seams\n0 1\n' > corpus_readers/seams.txt
+printf '\5# seams\n0 1\n6 2\n' > corpus_readers/seams.txt
+# the same triangle in binary
+head='ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty char y\nproperty short z\n'
+printf '\2'"$head"'element face 1\nproperty list uchar ushort vertex_index\nend_header\n\0\0\0\0\1\0\0\0\0\1\0\0\3\0\0\1\0\2\0' \
+  > corpus_readers/binary.ply
+zero='\0\0\0\0' one='\x3f\x80\0\0'
+printf '\0OFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\0'"$zero$zero$zero$one$zero$zero$zero$one$zero"'\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0' \
+  > corpus_readers/binary.off
+little_one='\0\0\x80\x3f'
+{ printf '\3'; head -c 80 /dev/zero; printf '\1\0\0\0'"$zero$zero$zero$zero$zero$zero$little_one$zero$zero$zero$little_one$zero"'\0\0'; } \
+  > corpus_readers/binary.stl
 words=../../test/Square_parameterization/fuzz/readers.dict
 # a map of 100 faces takes a hundred times as long as without sanitizers
 common=(-max_total_time="$seconds" -timeout=600 -rss_limit_mb=4096 -len_control=0 -print_final_stats=1)

@@ -63,6 +63,36 @@ TEST_CASE("a defect of an OFF file is named with its line")
   });
 }
 
+TEST_CASE("a defect of a binary OFF file is named with its element")
+{
+  const auto binary = [](const std::string& keyword, const std::vector<std::int32_t>& counts,
+                         const std::vector<std::int32_t>& face) {
+    std::string text = keyword + " BINARY\n";
+    for(std::int32_t count : counts)
+      text += big_endian(count);
+    for(float x : {0, 0, 0, 1, 0, 0, 0, 1, 0})
+      text += big_endian(x);
+    for(std::int32_t word : face)
+      text += big_endian(word);
+    return text;
+  };
+  const std::vector<std::int32_t> counts{3, 1, 0};
+  check_refused({
+      {"in.off", binary("OFF", {-3, 1, 0}, {3, 0, 1, 2, 0}), "header number 1 has a negative count, -3"},
+      {"in.off", binary("OFF", {3, -1, 0}, {3, 0, 1, 2, 0}), "header number 2 has a negative count, -1"},
+      {"in.off", binary("nOFF", {2, 3, 1, 0}, {3, 0, 1, 2, 0}), "its vertices have dimension 2; 3 was expected"},
+      {"in.off", binary("OFF", counts, {3, 0, 1, 3, 0}),
+       "face 0 names vertex 3; the file has 3 vertices, counted from 0"},
+      {"in.off", binary("OFF", counts, {3, 0, -1, 2, 0}),
+       "face 0 names vertex -1; the file has 3 vertices, counted from 0"},
+      {"in.off", binary("OFF", counts, {3, 0, 1, 2, 9}), "face 0 has 9 color components; at most 4 were expected"},
+      {"in.off", binary("OFF", counts, {-3, 0, 1, 2, 0}), "face 0 has a negative count, -3"},
+      {"in.off", binary("OFF", counts, {3, 0, 1}), "it is incomplete: it ends in face 0"},
+      {"in.off", binary("OFF", {4000, 1, 0}, {}), "it is incomplete: it ends in vertex 3"},
+      {"in.off", "OFF BINARY\n", "it is incomplete: it ends in header number 1"},
+  });
+}
+
 TEST_CASE("a defect of an OBJ file is named with its line")
 {
   check_refused({

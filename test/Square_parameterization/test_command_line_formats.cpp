@@ -26,13 +26,6 @@ std::string replaced(std::string text, const std::string& before, const std::str
   return text;
 }
 
-template <class Number>
-std::string big_endian(Number x)
-{
-  const std::string little = bytes(x);
-  return {little.rbegin(), little.rend()};
-}
-
 /// how numbers of a PLY file are written
 typedef std::string (*Write)(double x, bool is_big);
 
@@ -73,6 +66,45 @@ TEST_CASE("PLY files are read with lists of any types of integers, in text and i
         }
         check_sheet("in.ply", text);
       }
+}
+
+TEST_CASE("PLY files are read with the largest indices that unsigned types hold, in text and in both orders of bytes")
+{
+  const auto check_indices = [](const std::string& type, Write write, std::size_t largest) {
+    const std::size_t isolated = largest + 1 - small.points.size(); // these come first
+    Soup soup = small;
+    soup.points.insert(soup.points.begin(), isolated, Point{9, 9, 9});
+    for(Face& face : soup.faces)
+      for(long& v : face)
+        v += long(isolated);
+    for(const bool is_big : {false, true}) {
+      std::string text = replaced(ply_header(soup, is_big ? "binary_big_endian" : "binary_little_endian"),
+                                  "list uchar int", "list uchar " + type);
+      for(const Point& p : soup.points)
+        for(double x : p)
+          text += binary<double>(x, is_big);
+      for(const Face& face : soup.faces) {
+        text += '\3';
+        for(long v : face)
+          text += write(double(v), is_big);
+      }
+      check_sheet("in.ply", text);
+    }
+    check_sheet("in.ply", replaced(ply(soup), "list uchar int", "list uchar " + type));
+  };
+  check_indices("uchar", binary<std::uint8_t>, 255);
+  check_indices("ushort", binary<std::uint16_t>, 65535);
+}
+
+TEST_CASE("PLY files are read with the other names of the types, and with a byte order mark")
+{
+  const std::string text = ply(small);
+  for(const char* names : {"list uint8 int32", "list int8 uint32", "list uint16 int16", "list int16 uint16"})
+    check_sheet("in.ply", replaced(text, "list uchar int", names));
+  for(const char* name : {"float64", "float32", "float"})
+    check_sheet("in.ply", replaced(text, "property double", std::string("property ") + name));
+  for(const std::string& any : {text, binary_ply(small)})
+    check_sheet("in.ply", "\xef\xbb\xbf" + any);
 }
 
 TEST_CASE("PLY files are read with integer coordinates, and with elements and properties that are not needed")
@@ -144,6 +176,23 @@ TEST_CASE("what an OBJ file has beside points and faces is passed over and said"
   CHECK(quiet.err == "");
 }
 
+TEST_CASE("lines of all kinds that OBJ files have are passed over by their kind")
+{
+  const std::vector<std::pair<std::string, std::vector<std::string>>> kinds{
+      {"free-form lines", {"vp",   "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim",  "hole",
+                           "scrv", "sp",     "end", "con",  "bzp",  "bsp",  "cdc",   "cdp",  "res",  "ctech", "stech"}},
+      {"display and command lines",
+       {"bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "call", "csh", "unset"}},
+      {"materials", {"mtllib", "usemtl", "maplib", "usemap"}},
+      {"groups", {"g", "s", "mg"}}};
+  for(const auto& [kind, keywords] : kinds) {
+    std::string text = obj(small);
+    for(const std::string& keyword : keywords)
+      text += keyword + " 1 2 3\n";
+    CHECK(check_sheet("in.obj", text).report["input"]["passed_over"] == nlohmann::json{{kind, keywords.size()}});
+  }
+}
+
 TEST_CASE("what follows the last element that a header gives is passed over and said")
 {
   const auto check_passed_over = [](const std::string& name, const std::string& text, const std::string& things,
@@ -212,7 +261,7 @@ TEST_CASE("STL files are read in any case and with any name, binary ones also wh
        replaced(text, "solid sheet", "solid"), replaced(text, "\n", " "),
        replaced(text, "normal 0 0 0", "normal nan nan nan"), replaced(text, "normal 0 0 0", "normal -1.#IND 1.#QNAN 0"),
        replaced(text, "normal 0 0 0", "normal"), replaced(text, " normal 0 0 0", ""), "  " + text,
-       text + text.substr(0, 12) + "endsolid\n"})
+       text + text.substr(0, 12) + "endsolid\n", "\xef\xbb\xbf" + text})
     check_sheet("in.stl", variant);
   std::string binary = binary_stl(small);
   check_sheet("in.stl", binary.replace(0, 12, "solid facet "));

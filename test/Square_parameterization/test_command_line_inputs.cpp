@@ -101,6 +101,29 @@ TEST_CASE("the option --input-format takes the place of the extension")
                           {"--input-format", wrong});
 }
 
+TEST_CASE("the option --input-format takes the place of what the content of a stream says")
+{
+  const Temporary_folder folder;
+  const std::string text = folder.add("in", "banana 1 2 3\n" + obj(small)), map = folder / "map.obj";
+  const auto from_stream = [&](const std::string& options) {
+    return by_shell("cat '" + text + "' | square_map - -q -o '" + map + "' " + options);
+  };
+  CHECK(from_stream("").status == BAD_FILE); // it may be anything
+  CHECK(from_stream("--input-format obj").status == DONE);
+  CHECK(read_obj_map(read_file(map)).points == small.points);
+  const Finished_process wrong = from_stream("--input-format ply");
+  CHECK(wrong.status == BAD_FILE);
+  CHECK(is_one_message(wrong.err, "standard input as PLY: line 1: ply was expected"));
+}
+
+TEST_CASE("a file beyond an eighth of the memory is refused at once")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  std::filesystem::resize_file(input, std::uintmax_t(1) << 42); // 4 terabytes, of which the disk holds a block
+  check_refusal(folder, {input}, BAD_FILE, "an eighth of the memory of this machine");
+}
+
 TEST_CASE("seams are read with comments, and refused with their line")
 {
   const Temporary_folder folder;

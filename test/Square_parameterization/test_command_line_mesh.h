@@ -148,6 +148,13 @@ std::string bytes(Number x)
   return text;
 }
 
+template <class Number>
+std::string big_endian(Number x)
+{
+  const std::string little = bytes(x);
+  return {little.rbegin(), little.rend()};
+}
+
 inline std::string binary_ply(const Soup& soup)
 {
   std::string text = ply_header(soup, "binary_little_endian");

@@ -7,6 +7,8 @@
 #include "Temporary_folder.h"
 
 #include <fcntl.h>
+#include <linux/capability.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -79,6 +81,13 @@ inline Finished_process square_map(
     const std::function<void()>& prepare = [] {})
 {
   return Running_process(arguments, out_file, prepare).wait();
+}
+
+/// to prepare a process: the superuser may no longer read and write what permissions do not allow
+inline void heed_permissions()
+{
+  for(int capability : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH})
+    prctl(PR_CAPBSET_DROP, capability); // what a program that is executed may have; fails for others, who need none
 }
 
 #endif // TEST_COMMAND_LINE_PROCESS_H

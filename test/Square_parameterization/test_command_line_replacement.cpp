@@ -52,10 +52,10 @@ TEST_CASE("the reason why an output cannot be written is told")
     check_refusal(folder, {input, "-o", output}, BAD_COMMAND_LINE, "cannot write '" + output + "': " + reason);
   }
   CHECK(read_file(read_only) == "mine");
-  if(geteuid() != 0) { // who may write everywhere
-    chmod((folder / "folder.obj").c_str(), 0555);
-    check_refusal(folder, {input, "-o", folder / "folder.obj/map.obj"}, BAD_COMMAND_LINE, "permission denied");
-  }
+  chmod((folder / "folder.obj").c_str(), 0555);
+  const Finished_process result = square_map({input, "-o", folder / "folder.obj/map.obj"}, "", heed_permissions);
+  CHECK(result.status == BAD_COMMAND_LINE);
+  CHECK(is_one_message(result.err, "permission denied"));
 }
 
 TEST_CASE("a file may have the longest name that there is")
@@ -121,6 +121,16 @@ TEST_CASE("two outputs that are one file are refused, however they are spelled")
       if(exists)
         CHECK(read_file(folder / "x.obj") == "mine");
     }
+  std::filesystem::create_symlink("x.obj", folder / "link.obj");
+  std::filesystem::create_hard_link(folder / "x.obj", folder / "hard.obj");
+  for(const char* other : {"link.obj", "hard.obj"})
+    check_refusal(folder, {input, "-o", folder / "x.obj", "--json", folder / other}, BAD_COMMAND_LINE,
+                  "are the same file");
+  for(const char* stream : {"", "/dev/null"}) {
+    const Finished_process result = square_map({input, "--json", "-", "--svg", "-"}, stream);
+    CHECK(result.status == BAD_COMMAND_LINE);
+    CHECK(is_one_message(result.err, "'-' and '-' are the same file"));
+  }
   // standard output goes to the map
   const Finished_process result = square_map({input, "-o", folder / "x.obj", "--json", "-"}, folder / "x.obj");
   CHECK(result.status == BAD_COMMAND_LINE);

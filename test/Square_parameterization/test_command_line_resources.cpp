@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "test_command_line_checks.h"
+#include "test_command_line_closed.h"
 
 #include <sys/resource.h>
 
@@ -42,6 +43,79 @@ TEST_CASE("a run with more threads than there is room for makes the map with tho
             setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
             setenv("FAILING_THREADS_FROM", from, 1);
           }) == expected);
+}
+
+TEST_CASE("where no thread can be made all outputs of a surface that is cut are as usual")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(soup_of(ellipsoid(4, 2))));
+  const auto outputs_with = [&](const std::function<void()>& prepare) {
+    Arguments arguments{input, "-q", "--threads", "8", "--resolution", "33"};
+    const std::vector<std::array<std::string, 2>> outputs{
+        {"-o", "map.glb"}, {"--svg", "map.svg"}, {"--image", "image.png"}, {"--grid-mesh", "grid.obj"}};
+    for(const auto& [option, name] : outputs)
+      arguments = arguments + Arguments{option, folder / name};
+    CHECK(square_map(arguments, "", prepare).status == DONE);
+    std::string texts;
+    for(const auto& [option, name] : outputs)
+      texts += read_file(folder / name);
+    return texts;
+  };
+  const std::string expected = outputs_with([] {});
+  CHECK(expected.size() > 1000);
+  CHECK(outputs_with([] {
+          setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
+          setenv("FAILING_THREADS_FROM", "0", 1);
+        }) == expected);
+}
+
+TEST_CASE("an allocation that fails in any part of a job leaves the outputs as they were")
+{
+  const Temporary_folder folder;
+  const Soup closed = soup_of(ellipsoid(0));
+  folder.add("in.off", off(closed));
+  folder.add("in.stl", stl(closed));
+  folder.add("in.ply", ply(closed));
+  folder.add("polygon.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n");
+  folder.add("seams", "0 2\n");
+  struct Job
+  {
+    Arguments arguments;
+    std::string output_option, output;
+  };
+  const std::vector<Job> jobs{{{"in.off", "--resolution", "5"}, "--image", "image.png"},
+                              {{"in.stl"}, "--svg", "map.svg"},
+                              {{"in.ply", "--seams", "seams"}, "--report", "page.html"},
+                              {{"polygon.obj", "--triangulate"}, "--thumbnail", "thumbnail.png"}};
+  for(const Job& job : jobs) {
+    const std::vector<std::string> outputs{"map.obj", "report.json", job.output};
+    const Arguments arguments =
+        job.arguments +
+        Arguments{job.output_option, job.output, "-o", "map.obj", "--json", "report.json", "-q", "--threads", "1"};
+    for(const std::string& output : outputs)
+      folder.add(output, "mine");
+    const std::set<std::string> names = folder.file_names();
+    for(int from = 0, done = 0; done < 3 && from < 2000000; from += 1 + from / 8) {
+      const Finished_process result = square_map(arguments, "", [&] {
+        if(chdir((folder / "").c_str()) != 0)
+          _exit(126);
+        setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
+        setenv("FAILING_MALLOC_FROM", std::to_string(from).c_str(), 1);
+        setenv("FAILING_MALLOC_COUNT", "-1", 1);
+      });
+      INFO(job.output << " from " << from << ": " << result.err);
+      CHECK(folder.file_names() == names);
+      done += result.status == DONE;
+      if(result.status != DONE) {
+        CHECK(result.status == UNMAPPABLE);
+        CHECK(is_one_message(result.err, "not enough memory"));
+        for(const std::string& output : outputs)
+          CHECK(read_file(folder / output) == "mine");
+      }
+      for(const std::string& output : outputs)
+        folder.add(output, "mine");
+    }
+  }
 }
 
 TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and nothing is left")

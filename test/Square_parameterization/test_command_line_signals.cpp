@@ -98,6 +98,35 @@ TEST_CASE("a run that waits for the reader of its report can be interrupted")
   CHECK(folder.file_names() == std::set<std::string>{"in.off", "pipe"});
 }
 
+TEST_CASE("a run that waits for the reader of its report, with the map written elsewhere, leaves nothing of it")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(sheet(20, 20))), pipe = folder / "pipe";
+  folder.add("map.obj", "my map");
+  const std::set<std::string> names{"in.off", "map.obj", "pipe"};
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  for(const bool is_ended_by_signal : {true, false}) {
+    Running_process process({input, "-q", "-o", folder / "map.obj", "--json", pipe, "--strategy", "brute-force"});
+    const int reader = open(pipe.c_str(), O_RDONLY); // of which nothing is read
+    fcntl(reader, F_SETPIPE_SZ, 4096);
+    while(folder.file_names() == names) // until the report is being written, which is longer
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if(is_ended_by_signal)
+      process.send(SIGTERM);
+    else
+      close(reader);
+    const Finished_process result = process.wait();
+    if(is_ended_by_signal)
+      close(reader);
+    CHECK(result.status == (is_ended_by_signal ? 128 + SIGTERM : BAD_COMMAND_LINE));
+    CHECK(is_one_message(result.err, is_ended_by_signal ? "ended by SIGTERM; no file was replaced"
+                                                        : "cannot write '" + pipe + "': its reader has gone"));
+    CHECK(read_file(folder / "map.obj") == "my map");
+    CHECK(folder.file_names() == names);
+  }
+}
+
 TEST_CASE("a reader that has gone does not kill, and nothing is written")
 {
   const Temporary_folder folder;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "test_command_line_checks.h"
+#include "test_command_line_closed.h"
 
 #include <CGAL/version_macros.h>
 
@@ -35,14 +36,14 @@ TEST_CASE("an option is no name of a file")
   const Temporary_folder folder;
   const std::string input = folder.add("in.off", off(small));
   for(const Arguments& options : {
-          Arguments{"--json", "--quiet"},
-          {"--json=--quiet"},
-
+          Arguments{"--json=--quiet"},
           {"-o", "--json"},
           {"-o", "--map.obj"},
-          {"--seams", "--quiet"},
       })
     check_refusal(folder, Arguments{input} + options, BAD_COMMAND_LINE, "needs the name of a file, not the option");
+  for(const char* option : {"--json", "--seams", "--texture", "--svg", "--report", "--thumbnail", "--image",
+                            "--normal-map", "--attributes", "--grid-mesh", "--curve"})
+    check_refusal(folder, {input, option, "--quiet"}, BAD_COMMAND_LINE, "needs the name of a file, not the option");
   check_refusal(folder, {input, "--json", "-q"}, BAD_COMMAND_LINE, "--json");
   const auto in_folder = [&] { CHECK(chdir((folder / "").c_str()) == 0); };
   CHECK(square_map({input, "-q", "-o", "./--map.obj"}, "", in_folder).status == DONE);
@@ -84,6 +85,31 @@ TEST_CASE("the order of corners that is said to be right is right")
     CHECK(right.rfind(std::to_string(corners[0]) + ",", 0) == 0);
     CHECK(square_map({input, "--corners", right}).status == DONE);
   } while(std::next_permutation(order.begin(), order.end()));
+}
+
+TEST_CASE("the order of corners that is said to be right is right where a seam makes two of one vertex, too")
+{
+  const Temporary_folder folder;
+  const Soup soup = soup_of(ellipsoid(0));
+  const std::string input = folder.add("in.off", off(soup)), seams = folder.add("seams", "0 2\n2 1\n1 3\n");
+  const auto with = [&](const std::string& corners) {
+    return square_map({input, "--seams", seams, "--corners", corners});
+  };
+  int wrong = 0;
+  std::array<int, 4> order{0, 1, 2, 3};
+  do {
+    const std::string corners = corner_option({order[0], order[1], order[2], order[3]});
+    const Finished_process result = with(corners);
+    const std::string words = "this would be: ";
+    const std::size_t told = result.err.find(words);
+    INFO(corners << ": " << result.err);
+    CHECK((result.status == DONE) == (told == std::string::npos));
+    if(told == std::string::npos)
+      continue;
+    ++wrong;
+    CHECK(with(result.err.substr(told + words.size(), result.err.size() - told - words.size() - 1)).status == DONE);
+  } while(std::next_permutation(order.begin(), order.end()));
+  CHECK(wrong > 0);
 }
 
 TEST_CASE("one thing is counted in the singular")

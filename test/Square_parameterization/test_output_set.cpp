@@ -9,12 +9,41 @@
 #include <sys/wait.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <new>
 #include <set>
 #include <string>
+#include <vector>
 
 // The outputs of a run, without the rest of the command: what happens between opening and renaming can be had here.
+
+namespace {
+
+long allocations_allowed = -1; // by `new`; all when negative
+
+} // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+  void* const block = allocations_allowed == 0 ? nullptr : std::malloc(size);
+  if(block == nullptr)
+    throw std::bad_alloc();
+  if(allocations_allowed > 0)
+    --allocations_allowed;
+  return block;
+}
+
+[[gnu::noinline]] void operator delete(void* block) noexcept
+{
+  std::free(block);
+}
+
+[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept
+{
+  std::free(block);
+}
 
 namespace {
 
@@ -111,4 +140,48 @@ TEST_CASE("no signal ends the process while the outputs take their places, the s
           end_commit();
           raise(SIGINT);
         }) == 7);
+}
+
+TEST_CASE("an allocation that fails while the outputs take their places leaves all as it was")
+{
+  const Temporary_folder folder;
+  const std::vector<std::string> names{"first", "second", "third"};
+  bool has_failed = false, is_done = false;
+  for(long allowed = 0; !is_done; ++allowed) {
+    INFO(allowed);
+    for(const std::string& name : names)
+      folder.add(name, "old");
+    {
+      square_map::Output_set outputs;
+      for(const std::string& name : names)
+        outputs.add(folder / name, text("new"));
+      allocations_allowed = allowed;
+      try {
+        outputs.write_and_commit();
+        is_done = true;
+      } catch(const std::bad_alloc&) {
+        has_failed = true;
+      }
+      allocations_allowed = -1;
+    }
+    for(const std::string& name : names)
+      CHECK(read_file(folder / name) == (is_done ? "new" : "old"));
+    CHECK(folder.file_names() == std::set<std::string>(names.begin(), names.end()) /* without temporary files */);
+  }
+  CHECK(has_failed);
+}
+
+TEST_CASE("a signal removes the temporary file of a text that has not taken its place")
+{
+  const Temporary_folder folder;
+  folder.add("map", "old");
+  CHECK(status_of([&folder] {
+          square_map::handle_signals();
+          square_map::Output_file file(folder / "map");
+          file.write(text("new"));
+          if(folder.file_names().size() == 2)
+            raise(SIGTERM);
+        }) == 128 + SIGTERM);
+  CHECK(read_file(folder / "map") == "old");
+  CHECK(folder.file_names() == std::set<std::string>{"map"});
 }

@@ -54,11 +54,15 @@ void read_as(square_map::File_format format, std::string_view text)
   }
 }
 
-/// reads bytes as seams of a surface without vertices
+/// reads bytes as seams of a surface of eight vertices, the last of which is dropped
 void read_as_seams(std::string_view text)
 {
+  Conditioning_report conditioning;
+  conditioning.new_index = {0, 1, 2, 3, 4, 5, 6, Conditioning_report::DROPPED};
   try {
-    square_map::parse_seams(text, {});
+    for(const square_map::File_seam& seam : square_map::parse_seams(text, conditioning))
+      if(seam.ends[0] > 6 || seam.ends[1] > 6)
+        std::abort();
   } catch(const square_map::Malformed_file&) {
     // refused with a sentence
   }

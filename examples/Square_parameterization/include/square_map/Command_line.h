@@ -85,6 +85,8 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   namespace fs = std::filesystem;
   std::error_code error;
   const auto is_stream = [](const std::string& name) { return name == "-"; };
+  if(is_stream(a) && is_stream(b)) // one text would follow the other, also on a terminal
+    return true;
   const fs::path path_a = is_stream(a) ? "/dev/stdout" : a, path_b = is_stream(b) ? "/dev/stdout" : b;
   if(fs::is_character_file(path_a, error)) // a terminal, or /dev/null: several may write there
     return false;

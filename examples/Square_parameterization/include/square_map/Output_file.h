@@ -17,6 +17,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 
 namespace square_map {
 
@@ -171,15 +172,14 @@ private:
   void keep_former()
   {
     for(int number = 0;; ++number) {
-      m_former = name_beside(number, ".old");
-      if(link(m_target.path.c_str(), m_former.c_str()) == 0)
-        return;
-      if(errno == EEXIST)
+      std::string former = name_beside(number, ".old");
+      const bool is_linked = link(m_target.path.c_str(), former.c_str()) == 0;
+      if(!is_linked && errno == EEXIST)
         continue;
-      if(rename(m_target.path.c_str(), m_former.c_str()) == 0) // where there are no hard links
-        return;
-      m_former.clear();
-      fail(errno);
+      if(!is_linked && rename(m_target.path.c_str(), former.c_str()) != 0) // where there are no hard links
+        fail(errno);
+      m_former = std::move(former);
+      return;
     }
   }
 

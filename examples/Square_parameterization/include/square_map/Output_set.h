@@ -32,21 +32,22 @@ public:
   }
 
   /// writes the texts in the order in which the outputs were added, and when all are written, lets them take their
-  /// places. Throws `Output_error`; all files are as they were then.
+  /// places. Throws `Output_error`, and whatever else fails, such as an allocation; all files are as they were then.
   void write_and_commit()
   {
     for(const Output& output : m_outputs)
       output.file->write(output.write_text);
     begin_commit();
-    for(std::size_t i = 0; i < m_outputs.size(); ++i)
-      try {
-        m_outputs[i].file->replace(i + 1 < m_outputs.size()); // no output can fail after the last
-      } catch(const Output_error&) {
-        for(std::size_t k = i + 1; k-- > 0;)
-          m_outputs[k].file->restore();
-        end_commit();
-        throw;
-      }
+    std::size_t begun = 0;
+    try {
+      for(const Output& output : m_outputs)
+        output.file->replace(++begun < m_outputs.size()); // no output can fail after the last
+    } catch(...) {
+      while(begun > 0)
+        m_outputs[--begun].file->restore();
+      end_commit();
+      throw;
+    }
     for(const Output& output : m_outputs)
       output.file->forget_former();
     end_commit();

@@ -26,9 +26,9 @@ namespace CGAL_ext {
 ///
 /// what the minimization of the balanced energy began with. Where the start of the options leads to no map, or to one
 /// with an L2 stretch of the order of a thousand, which is a start lost in rounding more often than the surface, the
-/// others are tried in this order, until one does better than that or, when there is a map, until they have cost too much;
-/// the best map is delivered. The last two are tried only while there is none. All others make the mesh coarser in small
-/// steps, each by an eighth of the vertices instead of half of them.
+/// others are tried in this order, until one does better than that or, when there is a map, until they have cost too much,
+/// or one leads to the energy of the best; the best map is delivered. All of them make the mesh coarser in small steps, each by
+/// an eighth of the vertices instead of half of them.
 enum class Map_start
 {
   AS_CHOSEN,                          ///< that of the options

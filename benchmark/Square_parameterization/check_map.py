@@ -5,7 +5,8 @@
 
 A map is one-to-one onto the unit square when every triangle of texture coordinates is counter-clockwise, by exact
 arithmetic, and its border is one loop that runs once round the square, with a vertex in each corner. Prints the L2
-stretch and what is wrong; exits 1 when something is.
+stretch and what is wrong; exits 1 when something is. A comment such as `# aspect 2.5` in the file means that the stretch is
+that of the map onto the rectangle of this width over height, and of area 1.
 """
 import argparse
 import collections
@@ -20,8 +21,8 @@ class Broken_file(Exception):
 
 
 def read_obj(path):
-    """points, places in the texture, and faces as three pairs of indices of these"""
-    points, places, faces = [], [], []
+    """points, places in the texture, faces as three pairs of indices of these, and the aspect"""
+    points, places, faces, aspect = [], [], [], 1.0
     with open(path) as stream:
         for line in stream:
             kind, *words = line.split() or ['']
@@ -34,9 +35,11 @@ def read_obj(path):
                 if len(face) != 3 or any(len(corner) != 2 for corner in face):
                     raise Broken_file('a face is not a triangle with texture coordinates')
                 faces.append(face)
+            elif words[:1] == ['aspect']:
+                aspect = float(words[1])
     if not faces:
         raise Broken_file('there are no faces')
-    return points, places, faces
+    return points, places, faces, aspect
 
 
 def is_counter_clockwise(a, b, c):
@@ -86,8 +89,8 @@ def border_problems(loop, places):
     return problems
 
 
-def l2_stretch(points, places, faces):
-    """of Sander et al. 2001: the least and the greatest that it may be, for rounding may take or give height to faces
+def l2_stretch(points, places, faces, aspect):
+    """of Sander et al. 2001, on the rectangle of area 1: the least and the greatest that it may be, for rounding may take or give height to faces
     that have hardly any, and area to their images"""
     low = [min(p[k] for p in points) for k in range(3)]
     size = max(max(p[k] for p in points) - low[k] for k in range(3)) or 1
@@ -103,7 +106,8 @@ def l2_stretch(points, places, faces):
         left, right = (b[0] - a[0]) * (c[1] - a[1]), (b[1] - a[1]) * (c[0] - a[0])
         if left <= right:
             return 0, math.inf
-        squares = sum((x * (c[k] - a[k]) - y * (b[k] - a[k])) ** 2 for x, y in zip(e, f) for k in range(2))
+        squares = sum((x * (c[k] - a[k]) - y * (b[k] - a[k])) ** 2 * (1 / aspect if k else aspect)
+                      for x, y in zip(e, f) for k in range(2))
         squares /= 2 * (left - right) ** 2
         uv_error = min(0.5, 2 ** -50 * (abs(left) + abs(right)) / (left - right))
         least_area += max(0, face_area - area_error)
@@ -117,7 +121,7 @@ def l2_stretch(points, places, faces):
 
 def check(path):
     """the report on the map in a file"""
-    points, places, faces = read_obj(path)
+    points, places, faces, aspect = read_obj(path)
     problems = []
     flipped = sum(not is_counter_clockwise(*(places[t] for _, t in face)) for face in faces)
     if flipped:
@@ -129,7 +133,7 @@ def check(path):
         problems += border_problems(loops[0], places)
     else:
         problems.append('the texture has %d borders' % len(loops))
-    least, greatest = l2_stretch(points, places, faces)
+    least, greatest = l2_stretch(points, places, faces, aspect)
     return {'faces': len(faces), 'flipped': flipped, 'l2': greatest, 'least_l2': least, 'problems': problems}
 
 

@@ -77,6 +77,7 @@ def random_options(choice, surface, folder):
     if not is_iterative:
         maybe(0.3, '--balance', lambda: choice.choice([0, 1, choice.random()]))
         maybe(0.3, '--border', lambda: choice.choice(['fixed', 'sliding']))
+        maybe(0.2, '--aspect', lambda: choice.choice(['best', 1, 2 ** choice.uniform(-3, 3)]))
     maybe(0.3, '--weights', lambda: choice.choice(WEIGHTS))
     maybe(0.1, '--eta', lambda: 1 - choice.random())
     maybe(0.1, '--patience', lambda: choice.randrange(4))

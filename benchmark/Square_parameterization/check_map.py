@@ -90,8 +90,8 @@ def border_problems(loop, places):
 
 
 def l2_stretch(points, places, faces, aspect):
-    """of Sander et al. 2001, on the rectangle of area 1: the least and the greatest that it may be, for rounding may take or give height to faces
-    that have hardly any, and area to their images"""
+    """of Sander et al. 2001, on the rectangle of area 1: the least and the greatest that it may be, for rounding may take
+    or give height to faces that have hardly any, and area to their images"""
     low = [min(p[k] for p in points) for k in range(3)]
     size = max(max(p[k] for p in points) - low[k] for k in range(3)) or 1
     rounding = 2 ** -50 * max(max(map(abs, p)) for p in points) / size

@@ -42,12 +42,14 @@ inline bool is_one_message(const std::string& text, const std::string& words)
 }
 
 /// the command must end with `status` and one message that holds `words`, write nothing, and leave no file behind
-inline void check_refusal(const Temporary_folder& folder, const Arguments& arguments, Exit_status status,
-                          const std::string& words = "")
+/// \param prepare see `Running_process`
+inline void check_refusal(
+    const Temporary_folder& folder, const Arguments& arguments, Exit_status status, const std::string& words = "",
+    const std::function<void()>& prepare = [] {})
 {
   for(const Arguments& quiet : {Arguments{}, Arguments{"--quiet"}}) {
     const std::set<std::string> files = folder.file_names();
-    const Finished_process result = square_map(arguments + quiet);
+    const Finished_process result = square_map(arguments + quiet, "", prepare);
     INFO(Catch::StringMaker<Arguments>::convert(arguments) << "\n" << result.err);
     CHECK(result.status == status);
     CHECK(result.out == "");
@@ -57,16 +59,17 @@ inline void check_refusal(const Temporary_folder& folder, const Arguments& argum
 }
 
 /// an input must be refused whether or not the outputs exist, and existing ones must survive
-inline void check_refusal_of_input(const std::string& input, Exit_status status, const std::string& words = "",
-                                   const Arguments& options = {})
+inline void check_refusal_of_input(
+    const std::string& input, Exit_status status, const std::string& words = "", const Arguments& options = {},
+    const std::function<void()>& prepare = [] {})
 {
   const Temporary_folder folder;
   const std::string map = folder / "map.obj", report = folder / "report.json";
   const Arguments arguments = Arguments{input, "-o", map, "--json", report} + options;
-  check_refusal(folder, arguments, status, words);
+  check_refusal(folder, arguments, status, words, prepare);
   folder.add("map.obj", "my map");
   folder.add("report.json", "my report");
-  check_refusal(folder, arguments, status, words);
+  check_refusal(folder, arguments, status, words, prepare);
   CHECK(read_file(map) == "my map");
   CHECK(read_file(report) == "my report");
 }

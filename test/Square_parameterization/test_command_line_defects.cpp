@@ -70,7 +70,7 @@ TEST_CASE("a defect of a binary OFF file is named with its element")
     std::string text = keyword + " BINARY\n";
     for(std::int32_t count : counts)
       text += big_endian(count);
-    for(float x : {0, 0, 0, 1, 0, 0, 0, 1, 0})
+    for(float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
       text += big_endian(x);
     for(std::int32_t word : face)
       text += big_endian(word);

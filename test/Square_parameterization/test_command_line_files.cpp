@@ -33,9 +33,7 @@ TEST_CASE("an input that is not a file is refused")
   check_refusal_of_input("/dev/zero", BAD_FILE, "it is a device");
   const std::string closed = folder.add("closed.off", off(small));
   std::filesystem::permissions(closed, std::filesystem::perms::none);
-  const Finished_process result = square_map({closed, "--json", "-"}, "", heed_permissions);
-  CHECK(result.status == BAD_FILE);
-  CHECK(is_one_message(result.err, "its permissions do not allow it"));
+  check_refusal_of_input(closed, BAD_FILE, "its permissions do not allow it", {}, heed_permissions);
 }
 
 TEST_CASE("an empty file is refused")

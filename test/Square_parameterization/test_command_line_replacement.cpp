@@ -53,9 +53,8 @@ TEST_CASE("the reason why an output cannot be written is told")
   }
   CHECK(read_file(read_only) == "mine");
   chmod((folder / "folder.obj").c_str(), 0555);
-  const Finished_process result = square_map({input, "-o", folder / "folder.obj/map.obj"}, "", heed_permissions);
-  CHECK(result.status == BAD_COMMAND_LINE);
-  CHECK(is_one_message(result.err, "permission denied"));
+  check_refusal(folder, {input, "-o", folder / "folder.obj/map.obj"}, BAD_COMMAND_LINE, "permission denied",
+                heed_permissions);
 }
 
 TEST_CASE("a file may have the longest name that there is")

@@ -22,6 +22,21 @@ std::function<void()> limited(int resource, rlim_t value)
   };
 }
 
+/// the allocations from a number on fail, all or `count` of them
+void let_allocations_fail(int from, const char* count)
+{
+  setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
+  setenv("FAILING_MALLOC_FROM", std::to_string(from).c_str(), 1);
+  setenv("FAILING_MALLOC_COUNT", count, 1);
+}
+
+/// no thread from a number on can be made
+void let_threads_fail(const char* from)
+{
+  setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
+  setenv("FAILING_THREADS_FROM", from, 1);
+}
+
 } // namespace
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which need more address space than there is
@@ -39,10 +54,7 @@ TEST_CASE("a run with more threads than there is room for makes the map with tho
   CHECK(map_with({"--threads", "500"}, limited(RLIMIT_AS, 170 << 20)) == expected);
   CHECK(map_with({"--threads", "16"}, limited(RLIMIT_DATA, 60 << 20)) == expected);
   for(const char* from : {"0", "1", "3"})
-    CHECK(map_with({"--threads", "8"}, [from] {
-            setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
-            setenv("FAILING_THREADS_FROM", from, 1);
-          }) == expected);
+    CHECK(map_with({"--threads", "8"}, [from] { let_threads_fail(from); }) == expected);
 }
 
 TEST_CASE("where no thread can be made all outputs of a surface that is cut are as usual")
@@ -63,10 +75,7 @@ TEST_CASE("where no thread can be made all outputs of a surface that is cut are 
   };
   const std::string expected = outputs_with([] {});
   CHECK(expected.size() > 1000);
-  CHECK(outputs_with([] {
-          setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
-          setenv("FAILING_THREADS_FROM", "0", 1);
-        }) == expected);
+  CHECK(outputs_with([] { let_threads_fail("0"); }) == expected);
 }
 
 TEST_CASE("an allocation that fails in any part of a job leaves the outputs as they were")
@@ -99,9 +108,7 @@ TEST_CASE("an allocation that fails in any part of a job leaves the outputs as t
       const Finished_process result = square_map(arguments, "", [&] {
         if(chdir((folder / "").c_str()) != 0)
           _exit(126);
-        setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
-        setenv("FAILING_MALLOC_FROM", std::to_string(from).c_str(), 1);
-        setenv("FAILING_MALLOC_COUNT", "-1", 1);
+        let_allocations_fail(from, "-1");
       });
       INFO(job.output << " from " << from << ": " << result.err);
       CHECK(folder.file_names() == names);
@@ -127,12 +134,9 @@ TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and no
   for(const std::string& input : inputs)
     for(const char* count : {"1", "-1"})
       for(int from = 0; from < 4000; from += 1 + from / 30) {
-        const Finished_process result = square_map(
-            {input, "-q", "-o", folder / "map.obj", "--json", folder / "report.json", "--threads", "2"}, "", [&] {
-              setenv("LD_PRELOAD", FAILING_RESOURCES, 1);
-              setenv("FAILING_MALLOC_FROM", std::to_string(from).c_str(), 1);
-              setenv("FAILING_MALLOC_COUNT", count, 1);
-            });
+        const Finished_process result =
+            square_map({input, "-q", "-o", folder / "map.obj", "--json", folder / "report.json", "--threads", "2"}, "",
+                       [&] { let_allocations_fail(from, count); });
         INFO(count << " from " << from << ": " << result.err);
         if(result.status == DONE) { // the library did without, or there was nothing to fail any more
           std::filesystem::remove(folder / "map.obj");

@@ -104,14 +104,21 @@ struct Noting_search
   std::vector<double>& works;
 };
 
-/// maps one of the surfaces of up to 2000 faces that took longest, with all but default settings
-/// \return the work for the first candidate, in sweeps over the mesh, of each search
-std::pair<std::vector<double>, Mapped_soup> map_costly_surface(unsigned int seed)
+/// the default settings, of the first component
+Choices_of_bytes default_choices()
 {
   const std::vector<std::uint8_t> bytes = bytes_of_defaults();
   Byte_source source(bytes.data(), bytes.size());
   Choices_of_bytes choices(source);
   choices.conditioning_options.component = 0;
+  return choices;
+}
+
+/// maps one of the surfaces of up to 2000 faces that took longest, with all but default settings
+/// \return the work for the first candidate, in sweeps over the mesh, of each search
+std::pair<std::vector<double>, Mapped_soup> map_costly_surface(unsigned int seed)
+{
+  Choices_of_bytes choices = default_choices();
   std::vector<double> works;
   choices.options.search = Noting_search{works};
   Mapped_soup mapped = map_soup(Random_surface(seed, 2000).soup(), choices);
@@ -130,14 +137,12 @@ TEST_CASE("a surface whose usual start leads to no map, or to a hopeless one, is
                                       {12000058, Map_start::MEAN_VALUE_WEIGHTS},    // fins with nails and spikes
                                       {12000110, Map_start::FIXED_BORDER_FIRST}})); // a sheet with spikes
   CAPTURE(seed);
-  Choices_of_bytes choices = random_choices(0, 1);
-  choices.options = {};
-  choices.conditioning_options = {CGAL_ext::internal::Topology::CONNECTED, 0, true};
-  choices.has_seams = choices.has_corners = false;
+  const auto soup = Random_surface(seed, 2000).soup();
+  Choices_of_bytes choices = default_choices();
   const auto map_from = [&](bool tries_other_starts, const CGAL_ext::Balanced_minimization& minimization) {
     choices.options.tries_other_starts = tries_other_starts;
     choices.options.minimization = minimization;
-    return map_soup(Random_surface(seed, 2000).soup(), choices);
+    return map_soup(soup, choices);
   };
   CGAL_ext::Balanced_minimization minimization;
   const Mapped_soup mapped = map_from(true, minimization), usual = map_from(false, minimization);

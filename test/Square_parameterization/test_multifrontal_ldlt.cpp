@@ -7,6 +7,7 @@
 #include "map_cases.h"
 #include "weight_cases.h"
 
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Convex_combination_system.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Multifrontal_ldlt.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_matrix.h>
@@ -17,8 +18,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 using namespace CGAL_ext;
@@ -195,12 +198,15 @@ TEST_CASE("fronts hold the factor, children lie before their parents, and rows a
     system.assemble(std::vector<double>(patch.points.size(), 1.), first_square_border(patch), equations);
     const Elimination_fronts fronts(equations.matrix);
     const std::vector<std::set<int>> rows_of_column = dense_elimination(equations.matrix, fronts.places());
+    const int columns = static_cast<int>(equations.matrix.cols());
+    const auto row_itself = [&](int row) { return row < columns ? row : fronts.borrowed()[row - columns]; };
     std::size_t in_factor = 0, in_fronts = 0;
     int first = 0;
     for(std::size_t f = 0; f < fronts.fronts().size(); ++f) {
       const Elimination_front& front = fronts.fronts()[f];
       const auto begin = fronts.rows().begin() + front.rows;
-      const std::vector<int> rows(begin, begin + front.height);
+      std::vector<int> rows;
+      std::transform(begin, begin + front.height, std::back_inserter(rows), row_itself);
       CHECK(front.first == first);
       CHECK(std::is_sorted(rows.begin(), rows.end()));
       for(int j = 0; j < front.width; ++j) {
@@ -214,11 +220,82 @@ TEST_CASE("fronts hold the factor, children lie before their parents, and rows a
       for(int i = front.width; i < front.height; ++i) {
         const Elimination_front& parent = fronts.fronts()[front.parent];
         CHECK(front.parent > int(f));
-        CHECK(fronts.rows()[parent.rows + fronts.rows_in_parent()[front.rows + i]] == rows[i]);
+        CHECK(row_itself(fronts.rows()[parent.rows + fronts.rows_in_parent()[front.rows + i]]) == rows[i]);
       }
       first += front.width;
     }
     CHECK(first == equations.matrix.cols());
     CHECK(in_fronts <= 2 * in_factor + 1000); // few zeros are stored
+  }
+}
+
+TEST_CASE("parts of the fronts share neither rows nor numbers, and all but the last are whole subtrees")
+{
+  std::size_t divided = 0;
+  for(const Patch& patch : patches_to_factor()) {
+    const Convex_combination_system system(patch, Uniform_weights()(patch));
+    Convex_combination_system::Equations equations;
+    system.assemble(std::vector<double>(patch.points.size(), 1.), first_square_border(patch), equations);
+    const Elimination_fronts fronts(equations.matrix);
+    const std::size_t last = fronts.parts().size() - 1;
+    divided += last > 0 ? 1 : 0;
+    std::vector<int> part_of(fronts.fronts().size(), -1);
+    for(std::size_t p = 0; p <= last; ++p)
+      for(int f : fronts.parts()[p]) {
+        CHECK(part_of[f] == -1);
+        part_of[f] = static_cast<int>(p);
+      }
+    CHECK(std::count(part_of.begin(), part_of.end(), -1) == 0);
+    std::vector<int> part_of_row(equations.matrix.cols() + fronts.borrowed().size(), -1);
+    std::vector<std::pair<std::size_t, std::size_t>> numbers; // of the factor
+    for(std::size_t f = 0; f < part_of.size(); ++f) {
+      const Elimination_front& front = fronts.fronts()[f];
+      const int parent = front.parent < 0 ? static_cast<int>(last) : part_of[front.parent];
+      CHECK((parent == part_of[f] || parent == static_cast<int>(last)));
+      numbers.emplace_back(front.values, front.values + front.factor_size());
+      for(int i = 0; i < front.height; ++i) {
+        int& part = part_of_row[fronts.rows()[front.rows + i]];
+        CHECK((part == -1 || part == part_of[f]));
+        part = part_of[f];
+      }
+    }
+    std::sort(numbers.begin(), numbers.end());
+    for(std::size_t f = 1; f < numbers.size(); ++f)
+      CHECK(numbers[f - 1].second <= numbers[f].first);
+  }
+  CHECK(divided == 1);
+}
+
+TEST_CASE("the multifrontal factorization gives the same numbers for any number of threads, and fails in any part")
+{
+  const Patch patch = make_patch_of(noisy_height_field(90));
+  Random_numbers random(8);
+  const Convex_combination_system system(patch, Uniform_weights()(patch));
+  Convex_combination_system::Equations equations;
+  std::vector<double> factors(patch.points.size());
+  for(double& factor : factors)
+    factor = random(0.5, 2);
+  system.assemble(factors, first_square_border(patch), equations);
+  Multifrontal_ldlt<double> alone;
+  alone.analyzePattern(equations.matrix);
+  alone.factorize(equations.matrix);
+  const Right_hand_sides b = equations.right_hand_sides, x = alone.solve(b);
+  for(const unsigned int threads : {2u, 3u, 8u}) {
+    Thread_team team(threads);
+    const Thread_team::Scope scope(team);
+    Multifrontal_ldlt<double> on_threads;
+    on_threads.analyzePattern(equations.matrix);
+    on_threads.factorize(equations.matrix);
+    REQUIRE(on_threads.info() == Eigen::Success);
+    CHECK(on_threads.solve(b) == x);
+    for(const int column : {0, 1000, 4000, 7743}) {
+      Sparse_matrix singular = equations.matrix;
+      for(int k = 0; k < singular.cols(); ++k)
+        for(Sparse_matrix::InnerIterator entry(singular, k); entry; ++entry)
+          if(entry.row() == column || k == column)
+            entry.valueRef() = 0;
+      on_threads.factorize(singular);
+      CHECK(on_threads.info() == Eigen::NumericalIssue);
+    }
   }
 }

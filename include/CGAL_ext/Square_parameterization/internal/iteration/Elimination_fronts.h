@@ -71,13 +71,26 @@ public:
     const Column_tree tree = elimination_tree(upper);
     make_fronts(tree, merged_columns(tree));
     find_rows(upper);
+    make_parts();
+    place_columns();
     place_contributions();
+    borrow_rows();
   }
 
   const std::vector<Elimination_front>& fronts() const { return m_fronts; } ///< children before their parents
   const std::vector<int>& places() const { return m_places; }               ///< of the columns in the reordered matrix
-  const std::vector<int>& rows() const { return m_rows; }                   ///< of the fronts, ascending in each
   const std::vector<Entry>& entries() const { return m_entries; }           ///< of the matrix, front by front
+
+  /// fronts that come together, children before their parents. All parts but the last are of whole subtrees, and can be
+  /// worked on at a time; the last one, which may be all there is, has the fronts above them.
+  const std::vector<std::vector<int>>& parts() const { return m_parts; }
+
+  /// of the fronts, in each those that it eliminates first. From #columns on they stand for the rows of `borrowed()`: a
+  /// part has its own copies of the rows that it shares with others.
+  const std::vector<int>& rows() const { return m_rows; }
+
+  /// rows of the last part, of which other parts have copies: the i-th copy is the row #columns + i
+  const std::vector<int>& borrowed() const { return m_borrowed; }
 
   /// beside `rows()`, for those that a front does not eliminate: their numbers among the rows of its parent
   const std::vector<int>& rows_in_parent() const { return m_rows_in_parent; }
@@ -186,8 +199,6 @@ private:
         m_entries.push_back(
             {entries[e].number, (entries[e].column - front.first) * front.stride() + number_of_row[entries[e].row]});
       for_rows_of_children(front, [&](std::size_t i) { m_rows_in_parent[i] = number_of_row[m_rows[i]]; });
-      front.values = m_factor_size;
-      m_factor_size += front.factor_size();
     }
   }
 
@@ -200,33 +211,118 @@ private:
         use(m_fronts[c].rows + i);
   }
 
-  /// lays the contributions on two stacks, of fronts of odd and of even depth: a front takes those of its children from
-  /// the one, and puts its own on the other
+  /// divides the fronts, where there is enough to do for several threads
+  void make_parts()
+  {
+    std::vector<std::size_t> work(m_fronts.size()); // of the front and all below it
+    for(std::size_t f = 0; f < m_fronts.size(); ++f) {
+      work[f] += m_fronts[f].factor_size();
+      if(m_fronts[f].parent >= 0)
+        work[m_fronts[f].parent] += work[f];
+    }
+    std::size_t whole = 0;
+    for(const Elimination_front& front : m_fronts)
+      whole += front.factor_size();
+    const std::size_t largest = whole / NUMBER_OF_PARTS; // of a subtree
+    std::vector<int> part, above;
+    std::size_t work_of_part = 0;
+    for(std::size_t f = 0; f < m_fronts.size(); ++f) {
+      if(whole < LEAST_DIVIDED || work[f] > largest) {
+        above.push_back(static_cast<int>(f));
+        continue;
+      }
+      part.push_back(static_cast<int>(f));
+      if(const int parent = m_fronts[f].parent; parent >= 0 && work[parent] <= largest)
+        continue;
+      work_of_part += work[f]; // a subtree is complete
+      if(2 * work_of_part > largest) {
+        m_parts.push_back(std::exchange(part, {}));
+        work_of_part = 0;
+      }
+    }
+    if(!part.empty())
+      m_parts.push_back(std::move(part));
+    m_parts.push_back(std::move(above));
+  }
+
+  /// lays the eliminated columns of the fronts one after the other, part by part. The last tile of rows that is read may
+  /// reach beyond a column, and is not to reach what another part writes.
+  void place_columns()
+  {
+    for(const std::vector<int>& part : m_parts) {
+      for(int f : part) {
+        m_fronts[f].values = m_factor_size;
+        m_factor_size += m_fronts[f].factor_size();
+      }
+      m_factor_size += Elimination_front::TILE;
+    }
+  }
+
+  /// lays the contributions of each part on two stacks of its own, of fronts of odd and of even depth: a front takes those
+  /// of its children from the one, and puts its own on the other
   void place_contributions()
   {
-    std::vector<int> stack_of(m_fronts.size(), 0);
+    std::vector<int> stack_of(m_fronts.size(), 0), part_of(m_fronts.size(), 0);
     for(std::size_t f = m_fronts.size(); f-- > 0;)
       if(m_fronts[f].parent >= 0)
         stack_of[f] = 1 - stack_of[m_fronts[f].parent];
-    std::array<std::size_t, 2> size{0, 0}, largest{0, 0};
-    for(std::size_t f = 0; f < m_fronts.size(); ++f) {
-      Elimination_front& front = m_fronts[f];
-      const int stack = stack_of[f];
-      front.contribution = size[stack];
-      size[stack] += front.contribution_size();
-      largest[stack] = (std::max)(largest[stack], size[stack]);
-      if(front.first_child >= 0)
-        size[1 - stack] = m_fronts[front.first_child].contribution;
+    for(std::size_t p = 0; p < m_parts.size(); ++p)
+      for(int f : m_parts[p])
+        part_of[f] = static_cast<int>(p);
+    for(const std::vector<int>& part : m_parts) {
+      std::array<std::size_t, 2> size{0, 0}, largest{0, 0};
+      for(int f : part) {
+        Elimination_front& front = m_fronts[f];
+        const int stack = stack_of[f];
+        front.contribution = size[stack];
+        size[stack] += front.contribution_size();
+        largest[stack] = (std::max)(largest[stack], size[stack]);
+        for(int c = front.first_child; c >= 0; c = m_fronts[c].next_sibling)
+          if(part_of[c] == part_of[f]) // those of other parts stay where they are
+            size[1 - stack] = (std::min)(size[1 - stack], m_fronts[c].contribution);
+      }
+      for(int f : part)
+        m_fronts[f].contribution += m_workspace_size + (stack_of[f] == 1 ? largest[0] : 0);
+      m_workspace_size += largest[0] + largest[1];
     }
-    for(std::size_t f = 0; f < m_fronts.size(); ++f)
-      if(stack_of[f] == 1)
-        m_fronts[f].contribution += largest[0];
-    m_workspace_size = largest[0] + largest[1];
   }
+
+  /// gives all parts but the last their own copies of rows that are eliminated in the last
+  void borrow_rows()
+  {
+    const int n = static_cast<int>(m_places.size());
+    std::vector<int> part_of_row(n), copy(n, -1);
+    for(std::size_t p = 0; p < m_parts.size(); ++p)
+      for(int f : m_parts[p])
+        std::fill_n(part_of_row.begin() + m_fronts[f].first, m_fronts[f].width, static_cast<int>(p));
+    for(int p = 0; p + 1 < static_cast<int>(m_parts.size()); ++p) {
+      const int first_copy = n + static_cast<int>(m_borrowed.size());
+      for(int f : m_parts[p])
+        for(int i = m_fronts[f].width; i < m_fronts[f].height; ++i) {
+          int& row = m_rows[m_fronts[f].rows + i];
+          if(part_of_row[row] == p)
+            continue;
+          if(copy[row] < first_copy) {
+            copy[row] = n + static_cast<int>(m_borrowed.size());
+            m_borrowed.push_back(row);
+          }
+          row = copy[row];
+        }
+    }
+  }
+
+  /// subtrees of the fronts have at most such a part of the numbers of the factor, and parts about half as much or more.
+  /// More: fronts above them, which are worked on one after the other, are larger than need be on few threads.
+  static constexpr std::size_t NUMBER_OF_PARTS = 16;
+
+  /// numbers of a factor that is divided, at least: one solution with it takes as long as some ten calls of threads
+  static constexpr std::size_t LEAST_DIVIDED = 100000;
 
   std::vector<Elimination_front> m_fronts;
   std::vector<int> m_places;
   std::vector<int> m_rows, m_rows_in_parent;
+  std::vector<std::vector<int>> m_parts;
+  std::vector<int> m_borrowed;
   std::vector<Entry> m_entries;
   std::size_t m_factor_size = 0, m_workspace_size = 0;
 };

@@ -27,15 +27,14 @@ public:
   /// \param coarse_order #V of the coarse patch: the vertex of each row there
   Vertex_interpolation(const Patch& fine, const Coarse_patch& coarse, const std::vector<int>& rank,
                        const std::vector<int>& coarse_order)
-    : m_first_of_wave(coarse.waves.first), m_first(1, 0)
+    : m_first_of_wave(coarse.waves.first), m_first_follower(rank.size() + 1, 0), m_first(1, 0)
   {
     for(int v : coarse_order)
       m_kept.push_back(rank[coarse.fine_vertex[v]]);
-    for(int i : coarse.waves.removals) {
+    for(int i : coarse.waves.removals)
       m_removed.push_back(rank[coarse.removals[i].vertex]);
-      add_weights(fine, coarse, coarse.removals[i], rank);
-      m_first.push_back(m_neighbors.size());
-    }
+    find_neighbors(fine, coarse, rank);
+    transpose();
   }
 
   /// sets \p fine (#V by 2) to what \p coarse (#V of the coarse patch by 2) becomes
@@ -47,14 +46,17 @@ public:
     });
     for(std::size_t wave = 0; wave + 1 < m_first_of_wave.size(); ++wave) {
       const std::size_t first = m_first_of_wave[wave];
-      for_ranges(m_first_of_wave[wave + 1] - first, [&](std::size_t begin, std::size_t end) {
-        for(std::size_t i = first + begin; i < first + end; ++i) {
-          Eigen::RowVector2d mean(0, 0);
-          for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
-            mean += m_weights[k] * fine.row(m_neighbors[k]);
-          fine.row(m_removed[i]) = mean;
-        }
-      });
+      for_ranges(
+          m_first_of_wave[wave + 1] - first,
+          [&](std::size_t begin, std::size_t end) {
+            for(std::size_t i = first + begin; i < first + end; ++i) {
+              Eigen::RowVector2d mean(0, 0);
+              for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+                mean += double(m_neighbors[k].weight) * fine.row(m_neighbors[k].row);
+              fine.row(m_removed[i]) = mean;
+            }
+          },
+          REMOVED_AT_A_TIME);
     }
   }
 
@@ -62,17 +64,33 @@ public:
   /// \param fine (#V by 2) is overwritten
   void restrict_to_coarse(Uv_coordinates& fine, Uv_coordinates& coarse) const
   {
-    for(std::size_t i = m_removed.size(); i-- > 0;)
-      for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
-        fine.row(m_neighbors[k]) += m_weights[k] * fine.row(m_removed[i]);
+    for(std::size_t wave = m_first_of_wave.size() - 1; wave-- > 0;) {
+      const std::size_t first = m_first_of_wave[wave];
+      for_ranges(
+          m_first_of_wave[wave + 1] - first,
+          [&](std::size_t begin, std::size_t end) {
+            for(std::size_t i = first + begin; i < first + end; ++i)
+              fine.row(m_removed[i]) = with_followers(fine, m_removed[i]);
+          },
+          REMOVED_AT_A_TIME);
+    }
     coarse.resize(m_kept.size(), 2);
     for_ranges(m_kept.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t v = begin; v < end; ++v)
-        coarse.row(v) = fine.row(m_kept[v]);
+        coarse.row(v) = with_followers(fine, m_kept[v]);
     });
   }
 
 private:
+  /// an entry of the matrix: single precision halves the memory, and `prolong()` and its transposed have the same weights
+  struct Entry
+  {
+    int row;
+    float weight;
+  };
+
+  static constexpr std::size_t REMOVED_AT_A_TIME = 1024; // most waves are short
+
   /// by length, of its neighbors on the border alone
   static std::vector<double> weights_on_border(const Patch& fine, int vertex, const Vertex_ring& ring)
   {
@@ -82,8 +100,9 @@ private:
     return weights;
   }
 
-  void add_weights(const Patch& fine, const Coarse_patch& coarse, const Coarse_patch::Removal& removal,
-                   const std::vector<int>& rank)
+  /// the neighbors that a vertex follows, by their rows, and how far
+  static std::vector<Entry> neighbors_of(const Patch& fine, const Coarse_patch& coarse,
+                                         const Coarse_patch::Removal& removal, const std::vector<int>& rank)
   {
     const Vertex_ring ring = coarse.ring(removal);
     const std::vector<double> weights = removal.is_on_border()
@@ -93,20 +112,63 @@ private:
     for(double weight : weights)
       sum += weight;
     const bool is_sound = std::isfinite(sum) && sum > 0;
+    std::vector<Entry> neighbors;
     for(std::size_t i = 0; i < ring.size(); ++i)
-      if(!is_sound || weights[i] > 0) {
-        m_neighbors.push_back(rank[ring[i]]);
-        m_weights.push_back(is_sound ? weights[i] / sum : 1 / double(ring.size()));
+      if(!is_sound || weights[i] > 0)
+        neighbors.push_back({rank[ring[i]], float(is_sound ? weights[i] / sum : 1 / double(ring.size()))});
+    return neighbors;
+  }
+
+  void find_neighbors(const Patch& fine, const Coarse_patch& coarse, const std::vector<int>& rank)
+  {
+    const std::vector<int>& removals = coarse.waves.removals;
+    std::vector<std::vector<Entry>> of_range((removals.size() + RANGE - 1) / RANGE);
+    std::vector<std::size_t> numbers(removals.size());
+    for_ranges(removals.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i) {
+        const std::vector<Entry> neighbors = neighbors_of(fine, coarse, coarse.removals[removals[i]], rank);
+        of_range[begin / RANGE].insert(of_range[begin / RANGE].end(), neighbors.begin(), neighbors.end());
+        numbers[i] = neighbors.size();
       }
+    });
+    for(std::size_t number : numbers)
+      m_first.push_back(m_first.back() + number);
+    m_neighbors.reserve(m_first.back());
+    for(const std::vector<Entry>& neighbors : of_range)
+      m_neighbors.insert(m_neighbors.end(), neighbors.begin(), neighbors.end());
+  }
+
+  /// lists for each row what follows it
+  void transpose()
+  {
+    for(const Entry& neighbor : m_neighbors)
+      ++m_first_follower[neighbor.row + 1];
+    for(std::size_t row = 1; row < m_first_follower.size(); ++row)
+      m_first_follower[row] += m_first_follower[row - 1];
+    m_followers.resize(m_neighbors.size());
+    std::vector<std::size_t> next(m_first_follower.begin(), m_first_follower.end() - 1);
+    for(std::size_t i = 0; i < m_removed.size(); ++i)
+      for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+        m_followers[next[m_neighbors[k].row]++] = {m_removed[i], m_neighbors[k].weight};
+  }
+
+  /// what a row of the fine patch has, and those that follow it have, by their weights
+  Eigen::RowVector2d with_followers(const Uv_coordinates& fine, int row) const
+  {
+    Eigen::RowVector2d sum = fine.row(row);
+    for(std::size_t k = m_first_follower[row]; k < m_first_follower[row + 1]; ++k)
+      sum += double(m_followers[k].weight) * fine.row(m_followers[k].row);
+    return sum;
   }
 
   // all vertices by their rows
-  std::vector<int> m_kept;                  // per vertex of the coarse patch, the one of the fine patch
-  std::vector<int> m_removed;               // vertices of the fine patch, wave by wave
-  std::vector<std::size_t> m_first_of_wave; // in this list
-  std::vector<std::size_t> m_first;         // the neighbors of the i-th of them are first[i], ..., first[i + 1] - 1
-  std::vector<int> m_neighbors;
-  std::vector<double> m_weights;
+  std::vector<int> m_kept;                   // per vertex of the coarse patch, the one of the fine patch
+  std::vector<int> m_removed;                // vertices of the fine patch, wave by wave
+  std::vector<std::size_t> m_first_of_wave;  // in this list
+  std::vector<std::size_t> m_first_follower; // per row, in the list of followers
+  std::vector<std::size_t> m_first; // the neighbors of the i-th of the removed: first[i], ..., first[i + 1] - 1
+  std::vector<Entry> m_neighbors;   // which a vertex follows
+  std::vector<Entry> m_followers;   // the transposed
 };
 
 } // namespace internal

@@ -228,3 +228,14 @@ TEST_CASE("the map of a large patch has the same bytes on any number of threads"
   CHECK(uv.rows() == patch.number_of_vertices());
   CHECK(number_of_flipped_faces(patch.triangles, uv) == 0);
 }
+
+TEST_CASE("a patch that is made coarse in blocks is the same for any number of threads")
+{
+  const Patch patch = make_patch_of(noisy_height_field(60));
+  const std::vector<int> curve = vertices_along_curve(patch.points);
+  const auto rings = on_any_number_of_threads([&] {
+    const Coarse_patch coarse = Patch_coarsener(patch)(patch.number_of_vertices() / 2, curve, 300);
+    return std::make_pair(coarse.rings, coarse.patch.triangles);
+  });
+  CHECK(rings.first.size() > patch.points.size());
+}

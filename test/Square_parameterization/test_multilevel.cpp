@@ -6,6 +6,7 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/vertices_along_curve.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
 
 #include <catch2/catch.hpp>
@@ -29,25 +30,45 @@ std::vector<Patch> large_patches()
 
 TEST_CASE("a coarse patch is a disk with the same border, and its vertices are among the fine ones")
 {
+  for(const Patch& fine : large_patches())
+    for(const bool is_divided : {false, true}) {
+      CAPTURE(fine.number_of_vertices(), is_divided);
+      const int target = fine.number_of_vertices() / 2;
+      const std::vector<int> curve = is_divided ? vertices_along_curve(fine.points) : std::vector<int>();
+      const Coarse_patch coarse = Patch_coarsener(fine)(target, curve, 150);
+      const Patch& patch = coarse.patch;
+      CHECK(patch.number_of_vertices() == target);
+      CHECK(patch.number_of_vertices() + static_cast<int>(coarse.removals.size()) == fine.number_of_vertices());
+      CHECK(patch.number_of_vertices() - static_cast<int>(patch.edges.size()) + patch.number_of_faces() == 1);
+      CHECK(patch.chords.size() == fine.chords.size());
+      REQUIRE(patch.border.size() == fine.border.size());
+      for(std::size_t k = 0; k < patch.border.size(); ++k)
+        CHECK(coarse.fine_vertex[patch.border[k]] == fine.border[k]);
+      std::set<std::array<int, 2>> sides;
+      for(const auto& t : patch.triangles)
+        for(int k = 0; k < 3; ++k)
+          CHECK(sides.insert({t[k], t[(k + 1) % 3]}).second); // oriented, and no edge with three triangles
+      std::set<int> left(coarse.fine_vertex.begin(), coarse.fine_vertex.end());
+      CHECK(static_cast<int>(left.size()) == target);
+      for(const auto& removal : coarse.removals)
+        CHECK(left.count(removal.vertex) == 0);
+    }
+}
+
+TEST_CASE("a patch that is made coarse in blocks loses edges as short as one that is made coarse as a whole")
+{
+  const auto length_of_edges = [](const Patch& patch) {
+    double sum = 0;
+    for(const auto& [a, b] : patch.edges)
+      sum += (patch.points[a] - patch.points[b]).norm();
+    return sum / double(patch.edges.size());
+  };
   for(const Patch& fine : large_patches()) {
     const int target = fine.number_of_vertices() / 2;
-    const Coarse_patch coarse = Patch_coarsener(fine)(target);
-    const Patch& patch = coarse.patch;
-    CHECK(patch.number_of_vertices() == target);
-    CHECK(patch.number_of_vertices() + static_cast<int>(coarse.removals.size()) == fine.number_of_vertices());
-    CHECK(patch.number_of_vertices() - static_cast<int>(patch.edges.size()) + patch.number_of_faces() == 1);
-    CHECK(patch.chords.size() == fine.chords.size());
-    REQUIRE(patch.border.size() == fine.border.size());
-    for(std::size_t k = 0; k < patch.border.size(); ++k)
-      CHECK(coarse.fine_vertex[patch.border[k]] == fine.border[k]);
-    std::set<std::array<int, 2>> sides;
-    for(const auto& t : patch.triangles)
-      for(int k = 0; k < 3; ++k)
-        CHECK(sides.insert({t[k], t[(k + 1) % 3]}).second); // oriented, and no edge with three triangles
-    std::set<int> left(coarse.fine_vertex.begin(), coarse.fine_vertex.end());
-    CHECK(static_cast<int>(left.size()) == target);
-    for(const auto& removal : coarse.removals)
-      CHECK(left.count(removal.vertex) == 0);
+    const Coarse_patch whole = Patch_coarsener(fine)(target);
+    const Coarse_patch in_blocks = Patch_coarsener(fine)(target, vertices_along_curve(fine.points), 200);
+    CHECK(in_blocks.fine_vertex != whole.fine_vertex);
+    CHECK(length_of_edges(in_blocks.patch) == Approx(length_of_edges(whole.patch)).epsilon(0.02));
   }
 }
 

@@ -92,6 +92,16 @@ struct Coarse_patch
     rings.insert(rings.end(), ring.begin(), ring.end());
     rings.insert(rings.end(), target_ring.begin(), target_ring.end());
   }
+
+  /// adds the removals that another list of them has
+  void append_removals(const Coarse_patch& other)
+  {
+    for(Removal removal : other.removals) {
+      removal.first += rings.size();
+      removals.push_back(removal);
+    }
+    rings.insert(rings.end(), other.rings.begin(), other.rings.end());
+  }
 };
 
 /// the waves in which removals can be undone
@@ -118,6 +128,19 @@ inline Coarse_patch::Waves waves_of(const Coarse_patch& coarse, int number_of_fi
   for(std::size_t i = removals.size(); i-- > 0;)
     waves.removals[next[wave[removals[i].vertex]]++] = static_cast<int>(i);
   return waves;
+}
+
+/// the vertices of a coarse patch in the order in which a curve visits them in the fine patch
+inline std::vector<int> coarse_curve(const std::vector<int>& fine_curve, const Coarse_patch& coarse)
+{
+  std::vector<int> coarse_vertex(fine_curve.size(), -1);
+  for(std::size_t v = 0; v < coarse.fine_vertex.size(); ++v)
+    coarse_vertex[coarse.fine_vertex[v]] = static_cast<int>(v);
+  std::vector<int> curve;
+  for(int v : fine_curve)
+    if(coarse_vertex[v] >= 0)
+      curve.push_back(coarse_vertex[v]);
+  return curve;
 }
 
 } // namespace internal

@@ -5,12 +5,13 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_PATCH_COARSENER_H
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Coarse_patch.h>
-#include <CGAL_ext/Square_parameterization/internal/coarsening/is_good_replacement.h>
+#include <CGAL_ext/Square_parameterization/internal/coarsening/Collapsible_patch.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -27,6 +28,10 @@ namespace internal {
 /// makes coarse patches: collapses interior vertices into interior neighbors, short edges first, wherever the surface
 /// stays a disk and, when it is to keep its shape, does not bend much and gets no sliver. All positions are kept, and
 /// so is the border, unless border vertices may be collapsed into their neighbors on the border, too; no chord is made.
+///
+/// On large patches most of the vertices are collapsed in blocks, with the threads of the current team: in each those whose
+/// neighbors are in the same block, up to a common length. The blocks, and so the coarse patch, do not depend on the number
+/// of threads.
 class Patch_coarsener
 {
 public:
@@ -37,60 +42,32 @@ public:
   explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = Minimizer_numbers::SHAPE_KEPT,
                            bool keeps_border = true, int most_waves = (std::numeric_limits<int>::max)())
     : m_fine(fine),
-      m_least_shape_kept(least_shape_kept),
-      m_removable_border_vertices(
-          keeps_border ? 0 : (std::max)(0, static_cast<int>(fine.border.size()) - Minimizer_numbers::LEAST_BORDER)),
-      m_triangles(fine.triangles),
-      m_is_alive(fine.triangles.size(), true),
-      m_star(fine.points.size()),
-      m_next(fine.points.size(), -1),
-      m_previous(fine.points.size(), -1),
-      m_is_removed(fine.points.size(), false),
-      m_is_target(fine.points.size(), false),
+      m_keeps_border(keeps_border),
       m_most_waves(most_waves),
+      m_surface(fine, least_shape_kept, keeps_border),
       m_waves(fine.points.size(), 0),
       m_changes(fine.points.size(), 0)
-  {
-    for(int f = 0; f < fine.number_of_faces(); ++f)
-      for(int v : fine.triangles[f])
-        m_star[v].push_back(f);
-    for(std::size_t k = 0; k < fine.border.size(); ++k)
-      join(fine.border[k], fine.border[(k + 1) % fine.border.size()]);
-  }
+  {}
 
   /// collapses until \p target vertices are left, or no vertex can go. To be called once.
   /// Throws `Unmappable` when the coarse patch is degenerate.
-  Coarse_patch operator()(int target)
+  /// \param curve #V, vertices of which those that follow each other are near each other; none when there are to be no
+  ///        blocks
+  /// \param vertices_at_a_time of a block; a patch that has no more than twice as many is not divided
+  Coarse_patch operator()(int target, const std::vector<int>& curve = {},
+                          int vertices_at_a_time = Minimizer_numbers::VERTICES_COARSENED_AT_A_TIME)
   {
     Coarse_patch coarse;
-    enter_all();
-    int count = m_fine.number_of_vertices();
-    coarse.removals.reserve((std::max)(0, count - target));
-    std::vector<int> ring, target_ring;
-    while(count > target && !m_queue.empty()) {
-      const Collapse collapse = m_queue.top();
-      m_queue.pop();
-      if(m_is_removed[collapse.from] || collapse.changes != m_changes[collapse.from])
-        continue; // the neighborhood is not what it was: a newer entry follows
-      find_ring(collapse.from, ring);
-      if(m_waves[collapse.from] >= m_most_waves && is_on_rim(ring))
-        continue;
-      if(!may_collapse(collapse.from, collapse.to, ring)) {
-        push_next(collapse);
-        continue;
-      }
-      target_ring.clear();
-      if(is_border(collapse.from))
-        find_ring(collapse.to, target_ring);
-      perform(collapse.from, collapse.to);
-      --count;
-      for(int w : ring) {
-        m_waves[w] = (std::max)(m_waves[w], m_waves[collapse.from] + 1);
-        ++m_changes[w];
-        push_cheapest(w);
-      }
-      coarse.add_removal(collapse.from, collapse.to, ring, target_ring);
-    }
+    const auto to_remove = [&] {
+      return m_fine.number_of_vertices() - target - static_cast<int>(coarse.removals.size());
+    };
+    if(m_keeps_border && static_cast<int>(curve.size()) > 2 * vertices_at_a_time)
+      for(const bool is_shifted : {false, true})
+        collapse_in_blocks(curve, vertices_at_a_time, is_shifted ? vertices_at_a_time / 2 : 0, to_remove(), coarse);
+    Run run;
+    run.queue = Queue(std::greater<Collapse>(), cheapest_collapses());
+    collapse(run, to_remove());
+    coarse.append_removals(run.made);
     gather(coarse);
     coarse.waves = waves_of(coarse, m_fine.number_of_vertices());
     return coarse;
@@ -107,50 +84,87 @@ private:
       return std::tie(cost, from, to) > std::tie(other.cost, other.from, other.to);
     }
   };
+  typedef std::priority_queue<Collapse, std::vector<Collapse>, std::greater<Collapse>> Queue;
 
-  const Eigen::Vector3d& point(int v) const { return m_fine.points[v]; }
-
-  bool is_border(int v) const { return m_next[v] >= 0; }
-
-  void join(int v, int next)
+  /// what one thread collapses
+  struct Run
   {
-    m_next[v] = next;
-    m_previous[next] = v;
-  }
+    Queue queue;
+    Coarse_patch made; // its removals alone
+    double largest_cost = std::numeric_limits<double>::infinity();
+    int block = NO_BLOCK;                   // that has all the neighbors
+    std::vector<int> ring, target_ring;     // memory
+    std::vector<std::pair<int, int>> sides; // memory
+  };
+  static constexpr int NO_BLOCK = -1;
 
-  /// indicates whether a vertex with this ring is on the rim of a large fan
-  bool is_on_rim(const std::vector<int>& ring) const
+  /// collapses at most so many vertices
+  void collapse(Run& run, int most)
   {
-    return std::any_of(ring.begin(), ring.end(),
-                       [this](int w) { return m_star[w].size() > Minimizer_numbers::LARGEST_FAN; });
-  }
-
-  bool has_large_star(int v) const { return m_star[v].size() > Minimizer_numbers::LARGEST_STAR; }
-
-  /// calls `visit(w)` for the neighbors into which a vertex may be collapsed
-  template <class Visit>
-  void for_each_target(int v, const Visit& visit) const
-  {
-    if(has_large_star(v))
-      return;
-    if(is_border(v)) {
-      if(m_removable_border_vertices > 0) {
-        visit(m_next[v]);
-        visit(m_previous[v]);
+    while(static_cast<int>(run.made.removals.size()) < most && !run.queue.empty()) {
+      const Collapse collapse = run.queue.top();
+      if(collapse.cost > run.largest_cost)
+        return;
+      run.queue.pop();
+      if(m_surface.is_removed(collapse.from) || collapse.changes != m_changes[collapse.from])
+        continue; // the neighborhood is not what it was: a newer entry follows
+      m_surface.find_ring(collapse.from, run.ring, run.sides);
+      if(!is_in_block(run) || (m_waves[collapse.from] >= m_most_waves && m_surface.is_on_rim(run.ring)))
+        continue;
+      if(!m_surface.may_collapse(collapse.from, collapse.to, run.ring)) {
+        push_next(run, collapse);
+        continue;
       }
-      return;
-    }
-    for(int f : m_star[v]) { // each neighbor is the next corner of one triangle
-      const auto& t = m_triangles[f];
-      const int w = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
-      if(!is_border(w))
-        visit(w);
+      run.target_ring.clear();
+      if(m_surface.is_border(collapse.from))
+        m_surface.find_ring(collapse.to, run.target_ring, run.sides);
+      m_surface.perform(collapse.from, collapse.to);
+      for(int w : run.ring) {
+        m_waves[w] = (std::max)(m_waves[w], m_waves[collapse.from] + 1);
+        ++m_changes[w];
+        push_next(run, {-1, w, -1, 0});
+      }
+      run.made.add_removal(collapse.from, collapse.to, run.ring, run.target_ring);
     }
   }
 
-  /// enters the cheapest collapses of all vertices, with the threads of the current team: which comes first does not
-  /// depend on the order in which they are entered
-  void enter_all()
+  bool is_in_block(const Run& run) const
+  {
+    return run.block == NO_BLOCK ||
+           std::all_of(run.ring.begin(), run.ring.end(), [this, &run](int w) { return m_block_of[w] == run.block; });
+  }
+
+  /// collapses most of the vertices that are to be removed, in blocks of the curve
+  /// \param size of a block, \param shift the first block has so many vertices less
+  void collapse_in_blocks(const std::vector<int>& curve, int size, int shift, int to_remove, Coarse_patch& coarse)
+  {
+    m_block_of.resize(curve.size());
+    for(std::size_t i = 0; i < curve.size(); ++i)
+      m_block_of[curve[i]] = (static_cast<int>(i) + shift) / size;
+    std::vector<Collapse> collapses = cheapest_collapses();
+    const auto last = collapses.begin() + static_cast<int>(Minimizer_numbers::SHARE_COARSENED_IN_BLOCKS * to_remove);
+    if(last >= collapses.end())
+      return; // hardly more can be removed than are to be
+    std::nth_element(collapses.begin(), last, collapses.end(),
+                     [](const Collapse& a, const Collapse& b) { return b > a; });
+    std::vector<std::vector<Collapse>> of_block(m_block_of[curve.back()] + 1);
+    for(auto c = collapses.begin(); c != last; ++c)
+      of_block[m_block_of[c->from]].push_back(*c);
+    std::vector<Run> runs(of_block.size());
+    Thread_team::current()(runs.size(), [&](std::size_t b) {
+      const int most = static_cast<int>(of_block[b].size());
+      runs[b].block = static_cast<int>(b);
+      runs[b].largest_cost = last->cost;
+      runs[b].queue = Queue(std::greater<Collapse>(), std::move(of_block[b]));
+      collapse(runs[b], most);
+      runs[b].queue = Queue();
+    });
+    for(const Run& run : runs)
+      coarse.append_removals(run.made);
+  }
+
+  /// the cheapest collapses of all vertices: which comes first does not depend on their order
+  std::vector<Collapse> cheapest_collapses() const
   {
     std::vector<Collapse> collapses(m_fine.points.size());
     for_ranges(collapses.size(), [&](std::size_t begin, std::size_t end) {
@@ -159,114 +173,32 @@ private:
     });
     collapses.erase(std::remove_if(collapses.begin(), collapses.end(), [](const Collapse& c) { return c.to < 0; }),
                     collapses.end());
-    m_queue = decltype(m_queue)(std::greater<Collapse>(), std::move(collapses));
+    return collapses;
   }
 
-  /// enters the cheapest collapse of a vertex; those that cost more wait until it turns out to be impossible
-  void push_cheapest(int from) { push_next({-1, from, -1, 0}); }
-
-  /// enters the collapse of a vertex that comes after another one of it
-  void push_next(const Collapse& previous)
+  /// enters the collapse of a vertex that comes after another one of it, first its cheapest; those that cost more wait until
+  /// it turns out to be impossible
+  void push_next(Run& run, const Collapse& previous) const
   {
     const Collapse next = next_of(previous);
     if(next.to >= 0)
-      m_queue.push(next);
+      run.queue.push(next);
   }
 
   /// the collapse of a vertex that comes after another one of it; into -1 when there is none
   Collapse next_of(const Collapse& previous) const
   {
     const int from = previous.from;
-    const double triangles = (is_border(from) ? 2. : 1.) * double(m_star[from].size()); // the border has half stars
+    const double triangles = // the border has half stars
+        (m_surface.is_border(from) ? 2. : 1.) * double(m_surface.size_of_star(from));
     Collapse next{std::numeric_limits<double>::infinity(), from, -1, m_changes[from]};
-    for_each_target(from, [&](int to) {
-      const Collapse collapse{(point(to) - point(from)).squaredNorm() * triangles, from, to, m_changes[from]};
+    m_surface.for_each_target(from, [&](int to) {
+      const double cost = (m_fine.points[to] - m_fine.points[from]).squaredNorm() * triangles;
+      const Collapse collapse{cost, from, to, m_changes[from]};
       if(collapse > previous && (next.to < 0 || next > collapse))
         next = collapse;
     });
     return next;
-  }
-
-  /// the neighbors of a vertex, counter-clockwise; from the next to the previous border vertex on the border
-  void find_ring(int v, std::vector<int>& ring)
-  {
-    std::vector<std::pair<int, int>>& sides = m_sides;
-    sides.clear();
-    for(int f : m_star[v]) {
-      const auto& t = m_triangles[f];
-      const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-      sides.emplace_back(t[(k + 1) % 3], t[(k + 2) % 3]);
-    }
-    const int last = is_border(v) ? m_previous[v] : sides[0].first;
-    ring.assign(1, is_border(v) ? m_next[v] : sides[0].first);
-    do {
-      const int w = ring.back();
-      ring.push_back(
-          std::find_if(sides.begin(), sides.end(), [w](const auto& side) { return side.first == w; })->second);
-    } while(ring.back() != last);
-    if(!is_border(v))
-      ring.pop_back(); // the first again
-  }
-
-  bool may_collapse(int from, int to, const std::vector<int>& ring) const
-  {
-    const std::size_t n = ring.size();
-    const std::size_t place = std::find(ring.begin(), ring.end(), to) - ring.begin();
-    // the corners opposite to the edge: on the border only one
-    const int before = is_border(from) && place == 0 ? to : ring[(place + n - 1) % n];
-    const int after = is_border(from) && place + 1 == n ? to : ring[(place + 1) % n];
-    if(is_border(from) && (m_removable_border_vertices == 0 || m_is_target[from] || m_is_target[to] ||
-                           has_large_star(to) || has_border_vertex_inside(ring)))
-      return false;
-    // the two ends have no common neighbors but the opposite corners, which keep three neighbors
-    for(int f : m_star[to])
-      for(int w : m_triangles[f])
-        if(w != from && w != to && w != before && w != after && std::find(ring.begin(), ring.end(), w) != ring.end())
-          return false;
-    for(int w : {before, after})
-      if(w != to && m_star[w].size() <= (is_border(w) ? 1u : 3u))
-        return false;
-    return !m_least_shape_kept || keeps_shape(from, to, ring);
-  }
-
-  /// indicates whether a border vertex has chords, or only one triangle: the edge that would remain is a chord
-  bool has_border_vertex_inside(const std::vector<int>& ring) const
-  {
-    return ring.size() < 3 || std::any_of(ring.begin() + 1, ring.end() - 1, [this](int w) { return is_border(w); });
-  }
-
-  bool keeps_shape(int from, int to, const std::vector<int>& ring) const
-  {
-    const std::size_t n = ring.size();
-    for(std::size_t i = is_border(from) ? 1 : 0; i < n; ++i) {
-      const int a = ring[(i + n - 1) % n], b = ring[i];
-      if(a != to && b != to && !is_good_replacement(point(from), point(to), point(a), point(b), *m_least_shape_kept))
-        return false;
-    }
-    return true;
-  }
-
-  void perform(int from, int to)
-  {
-    for(int f : m_star[from]) {
-      auto& t = m_triangles[f];
-      if(std::find(t.begin(), t.end(), to) == t.end()) {
-        std::replace(t.begin(), t.end(), from, to);
-        m_star[to].push_back(f);
-        continue;
-      }
-      m_is_alive[f] = false;
-      for(int w : t)
-        if(w != from)
-          m_star[w].erase(std::find(m_star[w].begin(), m_star[w].end(), f));
-    }
-    m_star[from].clear();
-    m_is_removed[from] = true;
-    if(is_border(from)) {
-      m_is_target[to] = true;
-      join(m_previous[from], m_next[from]);
-      --m_removable_border_vertices;
-    }
   }
 
   void gather(Coarse_patch& coarse) const
@@ -274,15 +206,17 @@ private:
     std::vector<int> place(m_fine.points.size(), -1);
     std::vector<Eigen::Vector3d> points;
     for(int v = 0; v < m_fine.number_of_vertices(); ++v)
-      if(!m_is_removed[v]) {
+      if(!m_surface.is_removed(v)) {
         place[v] = static_cast<int>(points.size());
-        points.push_back(point(v));
+        points.push_back(m_fine.points[v]);
         coarse.fine_vertex.push_back(v);
       }
     std::vector<std::array<int, 3>> triangles;
-    for(std::size_t f = 0; f < m_triangles.size(); ++f)
-      if(m_is_alive[f])
-        triangles.push_back({place[m_triangles[f][0]], place[m_triangles[f][1]], place[m_triangles[f][2]]});
+    for(std::size_t f = 0; f < m_fine.triangles.size(); ++f)
+      if(m_surface.is_alive(f)) {
+        const auto& t = m_surface.triangles()[f];
+        triangles.push_back({place[t[0]], place[t[1]], place[t[2]]});
+      }
     coarse.patch = make_patch(std::move(points), std::move(triangles), gather_border(place, coarse));
   }
 
@@ -292,7 +226,7 @@ private:
   {
     std::vector<int> border, place_on_border(m_fine.points.size(), -1), removal(m_fine.points.size(), -1);
     for(std::size_t k = 0; k < m_fine.border.size(); ++k)
-      if(const int v = m_fine.border[k]; !m_is_removed[v]) {
+      if(const int v = m_fine.border[k]; !m_surface.is_removed(v)) {
         place_on_border[v] = static_cast<int>(border.size());
         border.push_back(place[v]);
         coarse.fine_places.push_back(static_cast<int>(k));
@@ -306,19 +240,12 @@ private:
   }
 
   const Patch& m_fine;
-  std::optional<double> m_least_shape_kept;
-  int m_removable_border_vertices;
-  std::vector<std::array<int, 3>> m_triangles;
-  std::vector<bool> m_is_alive;         // per triangle
-  std::vector<std::vector<int>> m_star; // per vertex, its triangles
-  std::vector<int> m_next, m_previous;  // per border vertex, its neighbors on the border; else -1
-  std::vector<bool> m_is_removed;
-  std::vector<bool> m_is_target; // of the removal of a border vertex: so that there is room to put that back
+  const bool m_keeps_border;
   const int m_most_waves;
-  std::vector<int> m_waves; // per vertex, the waves in which others are put back after it, were it the next to go
-  std::vector<std::pair<int, int>> m_sides; // memory of `find_ring()`
-  std::vector<int> m_changes;               // per vertex, how often its neighborhood has changed
-  std::priority_queue<Collapse, std::vector<Collapse>, std::greater<Collapse>> m_queue;
+  Collapsible_patch m_surface;
+  std::vector<int> m_waves;    // per vertex, the waves in which others are put back after it, were it the next to go
+  std::vector<int> m_changes;  // per vertex, how often its neighborhood has changed
+  std::vector<int> m_block_of; // per vertex
 };
 
 } // namespace internal

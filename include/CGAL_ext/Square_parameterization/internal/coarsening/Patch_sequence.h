@@ -9,8 +9,9 @@
 #include <CGAL_ext/Square_parameterization/internal/coarsening/coarse_border.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/is_mostly_border.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/vertices_along_curve.h>
 
-#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <memory>
@@ -36,7 +37,10 @@ public:
   typedef std::vector<Coarse_border> Borders; ///< per patch
 
   Patch_sequence(const Patch& patch, bool may_coarsen_border, Coarsening coarsening = Coarsening::BY_HALVES)
-    : m_patch(patch), m_may_coarsen_border(may_coarsen_border), m_coarsening(coarsening)
+    : m_patch(patch),
+      m_may_coarsen_border(may_coarsen_border),
+      m_coarsening(coarsening),
+      m_curve(Patch_division::is_large(patch) ? vertices_along_curve(patch.points) : std::vector<int>())
   {}
 
   std::size_t size() const { return 1 + m_coarse.size(); }
@@ -47,14 +51,29 @@ public:
   /// how to get from a level to the one before it. \pre level > 0
   const Coarse_patch& coarse(std::size_t level) const { return *m_coarse[level - 1]; }
 
-  /// adds patches as long as they get coarser
-  /// \param tell called with each of them when it has been added; it stays where it is
-  void coarsen(Shapes_kept shapes_kept, const std::function<void(const Coarse_patch&)>& tell = {})
+  const Patch& coarsest() const { return (*this)[size() - 1]; }
+
+  /// the vertices of the coarsest patch, those that are near each other one after the other (see `Patch_division`); none
+  /// when the first patch is not large
+  const std::vector<int>& curve() const { return m_curve; }
+
+  /// adds a coarser patch; false when there is none
+  /// \param shapes_kept that the last patch may lose
+  bool add_coarser(Shapes_kept shapes_kept)
   {
-    while(std::unique_ptr<Coarse_patch> next = coarsened((*this)[size() - 1], shapes_kept)) {
-      m_coarse.push_back(std::move(next));
-      if(tell)
-        tell(*m_coarse.back());
+    std::unique_ptr<Coarse_patch> next = coarsened(coarsest(), shapes_kept);
+    if(!next)
+      return false;
+    if(!m_curve.empty())
+      m_curve = coarse_curve(m_curve, *next);
+    m_coarse.push_back(std::move(next));
+    return true;
+  }
+
+  /// adds patches as long as they get coarser
+  void coarsen(Shapes_kept shapes_kept)
+  {
+    while(add_coarser(shapes_kept)) {
     }
   }
 
@@ -75,7 +94,7 @@ public:
   }
 
   /// indicates whether all patches have the whole border
-  bool keeps_border() const { return (*this)[size() - 1].border.size() == m_patch.border.size(); }
+  bool keeps_border() const { return coarsest().border.size() == m_patch.border.size(); }
 
   /// the finest level with at most so many vertices; the coarsest when all have more
   std::size_t finest_with(int vertices) const
@@ -113,7 +132,7 @@ private:
     for(const std::optional<double>& least_shape_kept : shapes_kept)
       try {
         Patch_coarsener coarsener(patch, least_shape_kept, keeps, most_waves(patch));
-        auto coarse = std::make_unique<Coarse_patch>(coarsener(patch.number_of_vertices() - removed));
+        auto coarse = std::make_unique<Coarse_patch>(coarsener(patch.number_of_vertices() - removed, m_curve));
         if(double(coarse->removals.size()) >= Minimizer_numbers::LEAST_REMOVED * removed)
           return coarse;
       } catch(const Unmappable&) {
@@ -143,6 +162,7 @@ private:
   const Patch& m_patch;
   bool m_may_coarsen_border;
   Coarsening m_coarsening;
+  std::vector<int> m_curve;
   std::vector<std::unique_ptr<Coarse_patch>> m_coarse;
 };
 

@@ -68,6 +68,14 @@ struct Minimizer_numbers
   /// height over longest side (an equilateral triangle has 0.87) above which any triangle is good
   static constexpr double GOOD_SHAPE = 0.15;
 
+  /// vertices of a block of a large patch, in which one thread makes it coarse. Less: more vertices between the blocks, which
+  /// wait. More: blocks that are not enough for all threads.
+  static constexpr int VERTICES_COARSENED_AT_A_TIME = 8192;
+
+  /// share of the vertices that are to be removed, which are removed in such blocks, at most. Larger: some that would not be
+  /// removed if they were compared with all others.
+  static constexpr double SHARE_COARSENED_IN_BLOCKS = 0.8;
+
   // --- what threads share: Patch_division ---
 
   /// vertices of a block, of which each thread takes one at a time. Less: more vertices between the blocks, which are

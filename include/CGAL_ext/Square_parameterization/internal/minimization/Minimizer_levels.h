@@ -9,7 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/transport_map.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/make_level_minimizers.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/is_to_be_factored.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -56,16 +57,8 @@ public:
                    const Deadline& deadline, Coarsening coarsening)
     : m_patches(patch, may_coarsen_border && options.border == Border_motion::SLIDING, coarsening)
   {
-    Balanced_minimization coarse_options = options;
-    coarse_options.balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
-    m_coarse_balance = coarse_options.balance;
-    Coarse_patch_stream stream;
-    Thread_team::current()(2, [&](std::size_t i) { // the second waits for the first
-      if(i == 0)
-        make_patches(options.start, deadline, stream);
-      else
-        m_minimizers = make_level_minimizers(patch, stream, options, coarse_options, deadline);
-    });
+    m_coarse_balance = (std::max)(options.balance, Minimizer_numbers::LEAST_COARSE_BALANCE);
+    make_levels(options, deadline);
     Thread_team::current()(m_patches.size(), [this](std::size_t level) {
       if(!is_factored(level))
         m_minimizers[level]->set_coarser(m_patches.coarse(level + 1), *m_minimizers[level + 1]);
@@ -154,22 +147,16 @@ public:
   }
 
 private:
-  /// makes the patches, from fine to coarse
-  void make_patches(const Stretch_minimization& start, const Deadline& deadline, Coarse_patch_stream& stream)
+  /// makes the patches, from fine to coarse, starts from the coarsest, and minimizers
+  void make_levels(const Balanced_minimization& options, const Deadline& deadline)
   {
-    struct End // also when an exception is thrown
-    {
-      explicit End(Coarse_patch_stream& of) : stream(of) {}
-      ~End() { stream.end(); }
-      Coarse_patch_stream& stream;
-    };
-    const End end(stream);
-    const auto coarsen = [&](Patch_sequence::Shapes_kept shapes_kept) { // and starts from the coarsest
-      m_patches.coarsen(shapes_kept, [&stream](const Coarse_patch& coarse) { stream.add(coarse); });
+    const auto coarsen = [&](Patch_sequence::Shapes_kept shapes_kept) {
+      while(add_coarser(shapes_kept, options, deadline)) {
+      }
       const std::size_t coarsest = m_patches.size() - 1;
       if(m_starts.empty() || m_starts.back().level < coarsest)
-        m_starts.push_back(
-            {coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], start, make_direct_solver, deadline)});
+        m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], options.start,
+                                                                          make_direct_solver, deadline)});
     };
     coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT});
     m_warm = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
@@ -177,6 +164,35 @@ private:
     m_rough = finest_rough_level();
     m_first_moves = finest_of_first_moves();
     coarsen({std::nullopt});
+    if(!is_to_be_factored(m_patches.coarsest())) // there was to be a coarser one
+      m_minimizers.back() = make_minimizer(m_patches.coarsest(), m_patches.curve(), false, options, deadline);
+  }
+
+  /// adds a coarser patch, if there is one, and makes the minimizer of the coarsest as yet, if it has none, at a time
+  bool add_coarser(Patch_sequence::Shapes_kept shapes_kept, const Balanced_minimization& options,
+                   const Deadline& deadline)
+  {
+    const Patch& patch = m_patches.coarsest();
+    const std::vector<int> curve = m_patches.curve();
+    const bool has_minimizer = m_minimizers.size() == m_patches.size();
+    bool is_added = false;
+    Thread_team::current()(has_minimizer ? 1 : 2, [&](std::size_t i) {
+      if(i == 0)
+        is_added = m_patches.add_coarser(shapes_kept);
+      else
+        m_minimizers.push_back(make_minimizer(patch, curve, !is_to_be_factored(patch), options, deadline));
+    });
+    return is_added;
+  }
+
+  /// \param has_coarser indicates whether a coarser minimizer takes the place of factors
+  std::unique_ptr<Balanced_minimizer> make_minimizer(const Patch& patch, const std::vector<int>& curve,
+                                                     bool has_coarser, Balanced_minimization options,
+                                                     const Deadline& deadline) const
+  {
+    if(&patch != &m_patches[0])
+      options.balance = m_coarse_balance;
+    return std::make_unique<Balanced_minimizer>(Patch_division(patch, curve), has_coarser, patch, options, deadline);
   }
 
   /// the finest patch that is small, or not much larger and half border; the coarsest when all are large

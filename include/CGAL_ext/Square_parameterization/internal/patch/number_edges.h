@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_NUMBER_EDGES_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_NUMBER_EDGES_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -23,8 +25,8 @@ struct Edge_numbering
   std::vector<int> number_of_triangles;           ///< #E: 1 on the border, 2 inside, more where it is not manifold
 };
 
-/// numbers the edges of \p triangles, #F, between \p number_of_vertices vertices. Complexity: linear but for the sorting
-/// of the edges at a vertex.
+/// numbers the edges of \p triangles, #F, between \p number_of_vertices vertices, with the threads of the current team.
+/// Complexity: linear but for the sorting of the edges at a vertex.
 inline Edge_numbering number_edges(std::size_t number_of_vertices, const std::vector<std::array<int, 3>>& triangles)
 {
   struct Side
@@ -46,22 +48,36 @@ inline Edge_numbering number_edges(std::size_t number_of_vertices, const std::ve
       sides[next[low]++] = {low, high, static_cast<int>(f), k};
     }
 
-  Edge_numbering result;
-  result.triangle_edges.resize(triangles.size());
-  for(std::size_t v = 0; v < number_of_vertices; ++v) {
-    const auto begin = sides.begin() + first[v], end = sides.begin() + first[v + 1];
-    std::sort(begin, end, [](const Side& a, const Side& b) {
-      return std::make_pair(a.high, a.triangle) < std::make_pair(b.high, b.triangle);
-    });
-    for(auto side = begin; side != end; ++side) {
-      if(side == begin || (side - 1)->high != side->high) {
-        result.edges.push_back({side->low, side->high});
-        result.number_of_triangles.push_back(0);
-      }
-      ++result.number_of_triangles.back();
-      result.triangle_edges[side->triangle][side->corner] = static_cast<int>(result.edges.size()) - 1;
+  const auto is_first_of_edge = [&sides](int begin, int i) { return i == begin || sides[i - 1].high != sides[i].high; };
+  std::vector<int> first_edge(number_of_vertices + 1, 0); // of those with this lower vertex
+  for_ranges(number_of_vertices, [&](std::size_t range_begin, std::size_t range_end) {
+    for(std::size_t v = range_begin; v < range_end; ++v) {
+      std::sort(sides.begin() + first[v], sides.begin() + first[v + 1], [](const Side& a, const Side& b) {
+        return std::make_pair(a.high, a.triangle) < std::make_pair(b.high, b.triangle);
+      });
+      for(int i = first[v]; i < first[v + 1]; ++i)
+        first_edge[v + 1] += is_first_of_edge(first[v], i) ? 1 : 0;
     }
-  }
+  });
+  for(std::size_t v = 1; v < first_edge.size(); ++v)
+    first_edge[v] += first_edge[v - 1];
+
+  Edge_numbering result;
+  result.edges.resize(first_edge.back());
+  result.number_of_triangles.resize(first_edge.back(), 0);
+  result.triangle_edges.resize(triangles.size());
+  for_ranges(number_of_vertices, [&](std::size_t range_begin, std::size_t range_end) {
+    for(std::size_t v = range_begin; v < range_end; ++v) {
+      int edge = first_edge[v] - 1;
+      for(int i = first[v]; i < first[v + 1]; ++i) {
+        const Side& side = sides[i];
+        if(is_first_of_edge(first[v], i))
+          result.edges[++edge] = {side.low, side.high};
+        ++result.number_of_triangles[edge];
+        result.triangle_edges[side.triangle][side.corner] = edge;
+      }
+    }
+  });
   return result;
 }
 

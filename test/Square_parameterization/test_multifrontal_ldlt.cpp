@@ -199,7 +199,11 @@ TEST_CASE("fronts hold the factor, children lie before their parents, and rows a
     const Elimination_fronts fronts(equations.matrix);
     const std::vector<std::set<int>> rows_of_column = dense_elimination(equations.matrix, fronts.places());
     const int columns = static_cast<int>(equations.matrix.cols());
-    const auto row_itself = [&](int row) { return row < columns ? row : fronts.borrowed()[row - columns]; };
+    const auto row_itself = [&](int row) {
+      while(row >= columns)
+        row = fronts.originals()[row - columns];
+      return row;
+    };
     std::size_t in_factor = 0, in_fronts = 0;
     int first = 0;
     for(std::size_t f = 0; f < fronts.fronts().size(); ++f) {
@@ -229,7 +233,7 @@ TEST_CASE("fronts hold the factor, children lie before their parents, and rows a
   }
 }
 
-TEST_CASE("parts of the fronts share neither rows nor numbers, and all but the last are whole subtrees")
+TEST_CASE("parts of the fronts share neither rows nor numbers, and come before those above them")
 {
   std::size_t divided = 0;
   for(const Patch& patch : patches_to_factor()) {
@@ -237,21 +241,25 @@ TEST_CASE("parts of the fronts share neither rows nor numbers, and all but the l
     Convex_combination_system::Equations equations;
     system.assemble(std::vector<double>(patch.points.size(), 1.), first_square_border(patch), equations);
     const Elimination_fronts fronts(equations.matrix);
-    const std::size_t last = fronts.parts().size() - 1;
-    divided += last > 0 ? 1 : 0;
-    std::vector<int> part_of(fronts.fronts().size(), -1);
-    for(std::size_t p = 0; p <= last; ++p)
-      for(int f : fronts.parts()[p]) {
+    divided += fronts.stages().size() > 3 ? 1 : 0;
+    std::vector<int> part_of(fronts.fronts().size(), -1), stage_of;
+    for(std::size_t stage = 0; stage + 1 < fronts.stages().size(); ++stage)
+      stage_of.resize(fronts.stages()[stage + 1], static_cast<int>(stage));
+    REQUIRE(stage_of.size() == fronts.parts().size());
+    for(std::size_t p = 0; p < fronts.parts().size(); ++p)
+      for(int f : fronts.parts()[p].fronts) {
         CHECK(part_of[f] == -1);
         part_of[f] = static_cast<int>(p);
       }
     CHECK(std::count(part_of.begin(), part_of.end(), -1) == 0);
-    std::vector<int> part_of_row(equations.matrix.cols() + fronts.borrowed().size(), -1);
+    std::vector<int> part_of_row(equations.matrix.cols() + fronts.originals().size(), -1);
     std::vector<std::pair<std::size_t, std::size_t>> numbers; // of the factor
     for(std::size_t f = 0; f < part_of.size(); ++f) {
       const Elimination_front& front = fronts.fronts()[f];
-      const int parent = front.parent < 0 ? static_cast<int>(last) : part_of[front.parent];
-      CHECK((parent == part_of[f] || parent == static_cast<int>(last)));
+      if(front.parent >= 0 && part_of[front.parent] != part_of[f]) {
+        CHECK(part_of[front.parent] == fronts.parts()[part_of[f]].parent);
+        CHECK(stage_of[part_of[front.parent]] > stage_of[part_of[f]]);
+      }
       numbers.emplace_back(front.values, front.values + front.factor_size());
       for(int i = 0; i < front.height; ++i) {
         int& part = part_of_row[fronts.rows()[front.rows + i]];

@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_ELIMINATION_FRONTS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_ELIMINATION_FRONTS_H
 
+#include <CGAL_ext/Square_parameterization/internal/iteration/Elimination_front.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/Front_division.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/elimination_tree.h>
 
 #include <Eigen/SparseCore>
@@ -19,34 +21,6 @@
 
 namespace CGAL_ext {
 namespace internal {
-
-/// a dense symmetric matrix of the multifrontal method: its first columns are eliminated, and what that does to the
-/// others, its contribution, is added to its parent. Of both the lower triangle counts. Columns are padded to a multiple
-/// of `TILE` rows, so that loops run over whole tiles.
-struct Elimination_front
-{
-  static constexpr int TILE = 4;
-
-  int first = 0;        ///< column of the reordered matrix that is eliminated first
-  int width = 0;        ///< columns eliminated
-  int height = 0;       ///< rows: those of the columns eliminated, then others, of fronts above
-  int parent = -1;      ///< front, -1 for roots
-  int first_child = -1; ///< front, -1 for leaves
-  int next_sibling = -1;
-  int first_entry = 0, end_entry = 0; ///< entries of the matrix in its columns, in `Elimination_fronts::entries()`
-  std::size_t rows = 0;               ///< where its rows begin in `Elimination_fronts::rows()`
-  std::size_t values = 0;             ///< where its eliminated columns begin in the factor
-  std::size_t contribution = 0;       ///< where its contribution lies in the working memory
-
-  int rows_of_parent() const { return height - width; } ///< rows, and columns, of the contribution
-  int stride() const { return padded(height); }         ///< from column to column of the factor
-  int contribution_stride() const { return padded(rows_of_parent()); }
-  std::size_t factor_size() const { return std::size_t(width) * stride(); }
-  std::size_t contribution_size() const { return std::size_t(rows_of_parent()) * contribution_stride(); }
-
-private:
-  static int padded(int rows) { return (rows + TILE - 1) / TILE * TILE; }
-};
 
 /// what the factorizations of all symmetric matrices of one pattern share: which columns are eliminated together, in
 /// which order, and where each number goes.
@@ -71,26 +45,29 @@ public:
     const Column_tree tree = elimination_tree(upper);
     make_fronts(tree, merged_columns(tree));
     find_rows(upper);
-    make_parts();
+    Front_division division(m_fronts);
+    m_parts = std::move(division.parts());
+    m_stages = std::move(division.stages());
     place_columns();
     place_contributions();
-    borrow_rows();
+    copy_rows();
   }
 
   const std::vector<Elimination_front>& fronts() const { return m_fronts; } ///< children before their parents
   const std::vector<int>& places() const { return m_places; }               ///< of the columns in the reordered matrix
   const std::vector<Entry>& entries() const { return m_entries; }           ///< of the matrix, front by front
 
-  /// fronts that come together, children before their parents. All parts but the last are of whole subtrees, and can be
-  /// worked on at a time; the last one, which may be all there is, has the fronts above them.
-  const std::vector<std::vector<int>>& parts() const { return m_parts; }
+  /// the parts, those of a stage one after the other
+  const std::vector<Front_part>& parts() const { return m_parts; }
 
-  /// of the fronts, in each those that it eliminates first. From #columns on they stand for the rows of `borrowed()`: a
-  /// part has its own copies of the rows that it shares with others.
+  /// where the parts of each stage begin, and #parts
+  const std::vector<int>& stages() const { return m_stages; }
+
+  /// of the fronts, in each those that it eliminates first. From #columns on they are copies.
   const std::vector<int>& rows() const { return m_rows; }
 
-  /// rows of the last part, of which other parts have copies: the i-th copy is the row #columns + i
-  const std::vector<int>& borrowed() const { return m_borrowed; }
+  /// what the copies stand for, from the first on: rows, or copies, of the parent of the part that has them
+  const std::vector<int>& originals() const { return m_originals; }
 
   /// beside `rows()`, for those that a front does not eliminate: their numbers among the rows of its parent
   const std::vector<int>& rows_in_parent() const { return m_rows_in_parent; }
@@ -211,46 +188,12 @@ private:
         use(m_fronts[c].rows + i);
   }
 
-  /// divides the fronts, where there is enough to do for several threads
-  void make_parts()
-  {
-    std::vector<std::size_t> work(m_fronts.size()); // of the front and all below it
-    for(std::size_t f = 0; f < m_fronts.size(); ++f) {
-      work[f] += m_fronts[f].factor_size();
-      if(m_fronts[f].parent >= 0)
-        work[m_fronts[f].parent] += work[f];
-    }
-    std::size_t whole = 0;
-    for(const Elimination_front& front : m_fronts)
-      whole += front.factor_size();
-    const std::size_t largest = whole / NUMBER_OF_PARTS; // of a subtree
-    std::vector<int> part, above;
-    std::size_t work_of_part = 0;
-    for(std::size_t f = 0; f < m_fronts.size(); ++f) {
-      if(whole < LEAST_DIVIDED || work[f] > largest) {
-        above.push_back(static_cast<int>(f));
-        continue;
-      }
-      part.push_back(static_cast<int>(f));
-      if(const int parent = m_fronts[f].parent; parent >= 0 && work[parent] <= largest)
-        continue;
-      work_of_part += work[f]; // a subtree is complete
-      if(2 * work_of_part > largest) {
-        m_parts.push_back(std::exchange(part, {}));
-        work_of_part = 0;
-      }
-    }
-    if(!part.empty())
-      m_parts.push_back(std::move(part));
-    m_parts.push_back(std::move(above));
-  }
-
   /// lays the eliminated columns of the fronts one after the other, part by part. The last tile of rows that is read may
   /// reach beyond a column, and is not to reach what another part writes.
   void place_columns()
   {
-    for(const std::vector<int>& part : m_parts) {
-      for(int f : part) {
+    for(const Front_part& part : m_parts) {
+      for(int f : part.fronts) {
         m_fronts[f].values = m_factor_size;
         m_factor_size += m_fronts[f].factor_size();
       }
@@ -267,11 +210,11 @@ private:
       if(m_fronts[f].parent >= 0)
         stack_of[f] = 1 - stack_of[m_fronts[f].parent];
     for(std::size_t p = 0; p < m_parts.size(); ++p)
-      for(int f : m_parts[p])
+      for(int f : m_parts[p].fronts)
         part_of[f] = static_cast<int>(p);
-    for(const std::vector<int>& part : m_parts) {
+    for(const Front_part& part : m_parts) {
       std::array<std::size_t, 2> size{0, 0}, largest{0, 0};
-      for(int f : part) {
+      for(int f : part.fronts) {
         Elimination_front& front = m_fronts[f];
         const int stack = stack_of[f];
         front.contribution = size[stack];
@@ -281,48 +224,57 @@ private:
           if(part_of[c] == part_of[f]) // those of other parts stay where they are
             size[1 - stack] = (std::min)(size[1 - stack], m_fronts[c].contribution);
       }
-      for(int f : part)
+      for(int f : part.fronts)
         m_fronts[f].contribution += m_workspace_size + (stack_of[f] == 1 ? largest[0] : 0);
       m_workspace_size += largest[0] + largest[1];
     }
   }
 
-  /// gives all parts but the last their own copies of rows that are eliminated in the last
-  void borrow_rows()
+  /// gives each part its own copies of the rows that are eliminated in other parts
+  void copy_rows()
   {
     const int n = static_cast<int>(m_places.size());
-    std::vector<int> part_of_row(n), copy(n, -1);
+    std::vector<int> part_of_row(n), copy(n);
+    std::vector<std::vector<int>> copied(m_parts.size()); // ascending
     for(std::size_t p = 0; p < m_parts.size(); ++p)
-      for(int f : m_parts[p])
+      for(int f : m_parts[p].fronts)
         std::fill_n(part_of_row.begin() + m_fronts[f].first, m_fronts[f].width, static_cast<int>(p));
-    for(int p = 0; p + 1 < static_cast<int>(m_parts.size()); ++p) {
-      const int first_copy = n + static_cast<int>(m_borrowed.size());
-      for(int f : m_parts[p])
-        for(int i = m_fronts[f].width; i < m_fronts[f].height; ++i) {
-          int& row = m_rows[m_fronts[f].rows + i];
-          if(part_of_row[row] == p)
-            continue;
-          if(copy[row] < first_copy) {
-            copy[row] = n + static_cast<int>(m_borrowed.size());
-            m_borrowed.push_back(row);
-          }
-          row = copy[row];
-        }
+    for(std::size_t p = m_parts.size(); p-- > 0;) { // parents first
+      Front_part& part = m_parts[p];
+      const auto for_rows_of_others = [&](const auto& visit) {
+        for(int f : part.fronts)
+          for(int i = m_fronts[f].width; i < m_fronts[f].height; ++i)
+            if(int& row = m_rows[m_fronts[f].rows + i]; part_of_row[row] != static_cast<int>(p))
+              visit(row);
+      };
+      std::vector<int>& rows = copied[p];
+      for_rows_of_others([&rows](int row) { rows.push_back(row); });
+      std::sort(rows.begin(), rows.end());
+      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      part.first_copy = n + static_cast<int>(m_originals.size());
+      for(std::size_t i = 0; i < rows.size(); ++i) {
+        copy[rows[i]] = part.first_copy + static_cast<int>(i);
+        m_originals.push_back(part_of_row[rows[i]] == part.parent
+                                  ? rows[i]
+                                  : copy_in(m_parts[part.parent], copied[part.parent], rows[i]));
+      }
+      part.end_copy = n + static_cast<int>(m_originals.size());
+      for_rows_of_others([&copy](int& row) { row = copy[row]; });
     }
   }
 
-  /// subtrees of the fronts have at most such a part of the numbers of the factor, and parts about half as much or more.
-  /// More: fronts above them, which are worked on one after the other, are larger than need be on few threads.
-  static constexpr std::size_t NUMBER_OF_PARTS = 16;
-
-  /// numbers of a factor that is divided, at least: one solution with it takes as long as some ten calls of threads
-  static constexpr std::size_t LEAST_DIVIDED = 100000;
+  /// the copy of a row that a part has
+  /// \param copied the rows of which it has copies
+  static int copy_in(const Front_part& part, const std::vector<int>& copied, int row)
+  {
+    return part.first_copy + static_cast<int>(std::lower_bound(copied.begin(), copied.end(), row) - copied.begin());
+  }
 
   std::vector<Elimination_front> m_fronts;
   std::vector<int> m_places;
   std::vector<int> m_rows, m_rows_in_parent;
-  std::vector<std::vector<int>> m_parts;
-  std::vector<int> m_borrowed;
+  std::vector<Front_part> m_parts;
+  std::vector<int> m_stages, m_originals;
   std::vector<Entry> m_entries;
   std::size_t m_factor_size = 0, m_workspace_size = 0;
 };

@@ -70,6 +70,8 @@ CGAL_ext::internal::Conditioning_report condition(CGAL_ext::internal::Surface_so
 void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
 {
   Command_line& line = job.line;
+  CGAL_ext::internal::Thread_team team(line.options.search_options.number_of_threads);
+  const CGAL_ext::internal::Thread_team::Scope scope(team);
   job.conditioning = condition(soup, line.conditioning_options);
   job.mesh = make_mesh(soup);
   if(!line.seams.empty())

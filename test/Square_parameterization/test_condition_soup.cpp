@@ -514,7 +514,8 @@ TEST_CASE("the list of sides stays that of the soup when faces are dropped and t
             std::tie(expected[i].low, expected[i].high, expected[i].face, expected[i].corner));
       const auto& face = soup.faces[sides[i].face];
       const auto k = static_cast<std::size_t>(sides[i].corner);
-      CHECK(std::minmax({face[k], face[(k + 1) % face.size()]}) == std::pair(sides[i].low, sides[i].high));
+      CHECK(std::minmax({face[k], face[(k + 1) % face.size()]}) ==
+            std::pair<std::size_t, std::size_t>(sides[i].low, sides[i].high));
     }
   };
   const auto components = components_of(soup, sides);

@@ -123,7 +123,8 @@ public:
     std::unique_lock<std::mutex> lock(m_mutex);
     m_calls.push_back(&call);
     announce();
-    m_work_has_come.notify_all();
+    for(std::size_t i = (std::min)({count - 1, most_at_once - 1, m_number_of_helpers.load()}); i > 0; --i)
+      m_work_has_come.notify_one(); // as many as there is work for
     if(depth > 1)
       m_call_has_ended.notify_all(); // who waits for the task that this is a call of may help
     work(call, lock);

@@ -4,10 +4,13 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_SURFACE_SOUP_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_SURFACE_SOUP_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -25,10 +28,10 @@ struct Surface_soup
   std::vector<std::vector<std::size_t>> faces;
 };
 
-/// a side of a face: `corner` begins it, in the orientation of the face
+/// a side of a face: `corner` begins it, in the orientation of the face. Numbers have 32 bits: there are millions of sides.
 struct Soup_side
 {
-  std::size_t low, high, face;
+  std::uint32_t low, high, face;
   int corner;
 };
 
@@ -36,8 +39,8 @@ struct Soup_side
 /// an edge by their faces.
 ///
 /// They are put into buckets by their lower vertex first, for few sides begin at one: linear in the number of sides but
-/// for sorting in each bucket.
-/// \pre every index of a face is that of a point
+/// for sorting in each bucket, which is done with the threads of the current team.
+/// \pre every index of a face is that of a point, and numbers of points and faces have 32 bits
 inline std::vector<Soup_side> sides_by_edge(const Surface_soup& soup)
 {
   const auto visit_sides = [&soup](auto visit) {
@@ -45,7 +48,8 @@ inline std::vector<Soup_side> sides_by_edge(const Surface_soup& soup)
       const std::vector<std::size_t>& face = soup.faces[f];
       for(std::size_t k = 0; k < face.size(); ++k) {
         const auto [low, high] = std::minmax(face[k], face[k + 1 < face.size() ? k + 1 : 0]);
-        visit(Soup_side{low, high, f, static_cast<int>(k)});
+        visit(Soup_side{static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high),
+                        static_cast<std::uint32_t>(f), static_cast<int>(k)});
       }
     }
   };
@@ -54,14 +58,13 @@ inline std::vector<Soup_side> sides_by_edge(const Surface_soup& soup)
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<Soup_side> sides(ends.back());
   visit_sides([&ends, &sides](const Soup_side& side) { sides[ends[side.low]++] = side; });
-  std::size_t begin = 0;
-  for(std::size_t end : ends) {
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin), sides.begin() + static_cast<std::ptrdiff_t>(end),
-              [](const Soup_side& a, const Soup_side& b) {
-                return std::tie(a.high, a.face, a.corner) < std::tie(b.high, b.face, b.corner);
-              });
-    begin = end;
-  }
+  for_ranges(soup.points.size(), [&ends, &sides](std::size_t range_begin, std::size_t range_end) {
+    for(std::size_t v = range_begin; v < range_end; ++v)
+      std::sort(sides.begin() + static_cast<std::ptrdiff_t>(v == 0 ? 0 : ends[v - 1]),
+                sides.begin() + static_cast<std::ptrdiff_t>(ends[v]), [](const Soup_side& a, const Soup_side& b) {
+                  return std::tie(a.high, a.face, a.corner) < std::tie(b.high, b.face, b.corner);
+                });
+  });
   return sides;
 }
 

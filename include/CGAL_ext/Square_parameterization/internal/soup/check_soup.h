@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SOUP_CHECK_SOUP_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Complaint.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/soup/soup_components.h>
 
 #include <algorithm>
@@ -139,7 +140,14 @@ inline void complain_about_disk(const Topology_counts& counts, std::size_t faces
 /// \param sides of the soup by edge
 inline void check_topology(const Surface_soup& soup, const std::vector<Soup_side>& sides, Topology topology)
 {
-  const Topology_counts counts = count_topology(soup, sides);
+  Topology_counts counts;
+  std::vector<std::vector<std::size_t>> components;
+  Thread_team::current()(2, [&](std::size_t i) {
+    if(i == 0)
+      counts = count_topology(soup, sides);
+    else
+      components = components_of(soup, sides);
+  });
   std::size_t pinched = 0;
   std::vector<std::string> pinched_places;
   for(std::size_t v = 0; v < counts.fans.size(); ++v)
@@ -147,7 +155,6 @@ inline void check_topology(const Surface_soup& soup, const std::vector<Soup_side
       pinched_places.push_back("vertex " + std::to_string(v));
   Complaint complaint;
   complaint.add(pinched, "non-manifold vertex", "non-manifold vertices", pinched_places);
-  const std::vector<std::vector<std::size_t>> components = components_of(soup, sides);
   complain_about_components(components, complaint);
   if(topology == Topology::DISK && pinched == 0 && components.size() == 1)
     complain_about_disk(counts, soup.faces.size(), complaint);

@@ -93,6 +93,18 @@ inline std::vector<bool> faces_to_turn(const Face_neighbors& neighbors, const st
   return turns;
 }
 
+/// indicates whether all faces agree with their neighbors, as those of most files do
+inline bool do_faces_agree(const Surface_soup& soup, const std::vector<Soup_side>& sides)
+{
+  bool do_agree = true;
+  for_each_edge(sides, [&](auto begin, auto end) {
+    if(end - begin == 2)
+      do_agree &=
+          soup.faces[begin->face][begin->corner] != soup.faces[std::next(begin)->face][std::next(begin)->corner];
+  });
+  return do_agree;
+}
+
 /// turns faces round until neighbors agree, in each component as few as possible; returns how many it turned.
 /// \p names holds the numbers of the faces for messages, \p sides those of the soup by edge, which stay so.
 ///
@@ -102,6 +114,8 @@ inline std::vector<bool> faces_to_turn(const Face_neighbors& neighbors, const st
 inline std::size_t orient_faces(Surface_soup& soup, std::vector<Soup_side>& sides,
                                 const std::vector<std::size_t>& names)
 {
+  if(do_faces_agree(soup, sides))
+    return 0;
   const std::vector<bool> turns = faces_to_turn(Face_neighbors(soup, sides), names);
   std::size_t turned = 0;
   for(std::size_t f = 0; f < soup.faces.size(); ++f)

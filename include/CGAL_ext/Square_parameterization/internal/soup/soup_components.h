@@ -57,7 +57,7 @@ inline void keep_component(const std::vector<std::size_t>& component, Surface_so
   }
   soup.faces = std::move(faces);
   for(Soup_side& side : sides)
-    side.face = new_index[side.face];
+    side.face = static_cast<std::uint32_t>(new_index[side.face]);
   sides.erase(
       std::remove_if(sides.begin(), sides.end(), [dropped](const Soup_side& side) { return side.face == dropped; }),
       sides.end());

@@ -39,12 +39,8 @@ Eigen::Vector3d point_of(VertexPointMap vpm, Vertex v)
 }
 
 /// refuses faces that are not triangles
-template <class TriangleMesh, class FaceRange>
-void check_triangles(const TriangleMesh& mesh, const FaceRange& face_range)
+inline void check_triangles(std::size_t polygons)
 {
-  std::size_t polygons = 0;
-  for(auto f : face_range)
-    polygons += CGAL::is_triangle(halfedge(f, mesh), mesh) ? 0 : 1;
   if(polygons > 0)
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NON_TRIANGULAR_MESH,
                      std::to_string(polygons) +
@@ -58,19 +54,22 @@ void check_triangles(const TriangleMesh& mesh, const FaceRange& face_range)
 template <class TriangleMesh, class FaceRange, class VertexPointMap>
 Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexPointMap vpm)
 {
-  check_triangles(mesh, face_range);
   Face_graph_arrays<TriangleMesh> result;
   auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   for(auto v : vertices(mesh))
     put(index, v, -1);
-  std::size_t number_of_vertices = 0, number_of_faces = 0;
+  std::size_t number_of_vertices = 0, number_of_faces = 0, polygons = 0;
   for(auto f : face_range) {
     ++number_of_faces;
+    int corners = 0;
     for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      ++corners;
       number_of_vertices += get(index, source(h, mesh)) < 0 ? 1 : 0;
       put(index, source(h, mesh), 0);
     }
+    polygons += corners == 3 ? 0 : 1;
   }
+  check_triangles(polygons);
   result.vertices.reserve(number_of_vertices);
   result.arrays.points.reserve(number_of_vertices);
   result.arrays.triangles.reserve(number_of_faces);

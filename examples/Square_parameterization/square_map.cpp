@@ -11,6 +11,8 @@
 #include "include/square_map/signals.h"
 #include "include/square_map/spare_address_space.h"
 
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+
 #include <CGAL/version_macros.h>
 
 #include <unistd.h>
@@ -70,7 +72,8 @@ CGAL_ext::internal::Conditioning_report condition(CGAL_ext::internal::Surface_so
 void make_mesh_of(CGAL_ext::internal::Surface_soup soup, Job& job)
 {
   Command_line& line = job.line;
-  CGAL_ext::internal::Thread_team team(line.options.search_options.number_of_threads);
+  // where memory is limited it is for the threads of the map
+  CGAL_ext::internal::Thread_team team(has_limited_address_space() ? 1 : line.options.search_options.number_of_threads);
   const CGAL_ext::internal::Thread_team::Scope scope(team);
   job.conditioning = condition(soup, line.conditioning_options);
   job.mesh = make_mesh(soup);

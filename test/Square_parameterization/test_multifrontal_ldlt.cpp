@@ -274,6 +274,31 @@ TEST_CASE("parts of the fronts share neither rows nor numbers, and come before t
   CHECK(divided == 1);
 }
 
+TEST_CASE("separate systems are divided when they are large together, and not when they are small")
+{
+  Random_numbers random(9);
+  const auto repeated = [](const Sparse_matrix& matrix, int times) { // along the diagonal
+    std::vector<Eigen::Triplet<double>> entries;
+    for(int i = 0; i < times; ++i)
+      for(int k = 0; k < matrix.cols(); ++k)
+        for(Sparse_matrix::InnerIterator entry(matrix, k); entry; ++entry)
+          entries.emplace_back(i * matrix.rows() + entry.row(), i * matrix.rows() + k, entry.value());
+    Sparse_matrix result(times * matrix.rows(), times * matrix.rows());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  };
+  const Sparse_matrix one = random_matrix(100, 8, true, random);
+  for(const int times : {1, 3, 60}) {
+    CAPTURE(times);
+    const Sparse_matrix upper = repeated(one, times);
+    const std::size_t parts = Elimination_fronts(upper).parts().size();
+    CHECK((parts == 1) == (times < 60));
+    Multifrontal_ldlt<double> ldlt;
+    ldlt.analyzePattern(upper);
+    check_factorization(upper, ldlt, random);
+  }
+}
+
 TEST_CASE("the multifrontal factorization gives the same numbers for any number of threads, and fails in any part")
 {
   const Patch patch = make_patch_of(noisy_height_field(90));

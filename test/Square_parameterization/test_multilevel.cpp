@@ -69,6 +69,13 @@ TEST_CASE("a patch that is made coarse in blocks loses edges as short as one tha
     const Coarse_patch in_blocks = Patch_coarsener(fine)(target, vertices_along_curve(fine.points), 200);
     CHECK(in_blocks.fine_vertex != whole.fine_vertex);
     CHECK(length_of_edges(in_blocks.patch) == Approx(length_of_edges(whole.patch)).epsilon(0.02));
+    // where the border gets coarse there are no blocks
+    const Coarse_patch without_curve = Patch_coarsener(fine, std::nullopt, false)(target);
+    const Coarse_patch with_curve =
+        Patch_coarsener(fine, std::nullopt, false)(target, vertices_along_curve(fine.points), 200);
+    CHECK(with_curve.rings == without_curve.rings);
+    CHECK(
+        Patch_coarsener(fine)(fine.number_of_vertices() + 1, vertices_along_curve(fine.points), 200).removals.empty());
   }
 }
 

@@ -93,14 +93,20 @@ struct Coarse_patch
     rings.insert(rings.end(), target_ring.begin(), target_ring.end());
   }
 
-  /// adds the removals that another list of them has
-  void append_removals(const Coarse_patch& other)
+  /// adds the removals of another one, which loses them
+  void append_removals(Coarse_patch&& other)
   {
+    if(removals.empty()) {
+      removals = std::move(other.removals);
+      rings = std::move(other.rings);
+      return;
+    }
     for(Removal removal : other.removals) {
       removal.first += rings.size();
       removals.push_back(removal);
     }
     rings.insert(rings.end(), other.rings.begin(), other.rings.end());
+    other = Coarse_patch();
   }
 };
 

@@ -21,9 +21,9 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// the triangles of a patch while vertices are collapsed into neighbors. Vertices far from each other may be collapsed by
-/// several threads at a time: to collapse one reads the triangles round its neighbors, and changes what belongs to itself
-/// and to its neighbors.
+/// the triangles of a patch while vertices are collapsed into neighbors. Interior vertices far from each other may be
+/// collapsed by several threads at a time: to collapse one reads the triangles round its neighbors, and changes what belongs to
+/// itself and to its neighbors.
 class Collapsible_patch
 {
 public:

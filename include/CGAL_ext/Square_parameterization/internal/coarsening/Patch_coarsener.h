@@ -30,7 +30,7 @@ namespace internal {
 /// so is the border, unless border vertices may be collapsed into their neighbors on the border, too; no chord is made.
 ///
 /// On large patches most of the vertices are collapsed in blocks, with the threads of the current team: in each those whose
-/// neighbors are in the same block, up to a common length. The blocks, and so the coarse patch, do not depend on the number
+/// neighbors are in the same block, up to a common cost. The blocks, and so the coarse patch, do not depend on the number
 /// of threads.
 class Patch_coarsener
 {
@@ -64,10 +64,10 @@ public:
     if(m_keeps_border && static_cast<int>(curve.size()) > 2 * vertices_at_a_time)
       for(const bool is_shifted : {false, true})
         collapse_in_blocks(curve, vertices_at_a_time, is_shifted ? vertices_at_a_time / 2 : 0, to_remove(), coarse);
-    Run run;
+    Run run; // of what is left
     run.queue = Queue(std::greater<Collapse>(), cheapest_collapses());
     collapse(run, to_remove());
-    coarse.append_removals(run.made);
+    coarse.append_removals(std::move(run.made));
     gather(coarse);
     coarse.waves = waves_of(coarse, m_fine.number_of_vertices());
     return coarse;
@@ -102,29 +102,29 @@ private:
   void collapse(Run& run, int most)
   {
     while(static_cast<int>(run.made.removals.size()) < most && !run.queue.empty()) {
-      const Collapse collapse = run.queue.top();
-      if(collapse.cost > run.largest_cost)
+      const Collapse next = run.queue.top();
+      if(next.cost > run.largest_cost)
         return;
       run.queue.pop();
-      if(m_surface.is_removed(collapse.from) || collapse.changes != m_changes[collapse.from])
+      if(m_surface.is_removed(next.from) || next.changes != m_changes[next.from])
         continue; // the neighborhood is not what it was: a newer entry follows
-      m_surface.find_ring(collapse.from, run.ring, run.sides);
-      if(!is_in_block(run) || (m_waves[collapse.from] >= m_most_waves && m_surface.is_on_rim(run.ring)))
+      m_surface.find_ring(next.from, run.ring, run.sides);
+      if(!is_in_block(run) || (m_waves[next.from] >= m_most_waves && m_surface.is_on_rim(run.ring)))
         continue;
-      if(!m_surface.may_collapse(collapse.from, collapse.to, run.ring)) {
-        push_next(run, collapse);
+      if(!m_surface.may_collapse(next.from, next.to, run.ring)) {
+        push_next(run, next);
         continue;
       }
       run.target_ring.clear();
-      if(m_surface.is_border(collapse.from))
-        m_surface.find_ring(collapse.to, run.target_ring, run.sides);
-      m_surface.perform(collapse.from, collapse.to);
+      if(m_surface.is_border(next.from))
+        m_surface.find_ring(next.to, run.target_ring, run.sides);
+      m_surface.perform(next.from, next.to);
       for(int w : run.ring) {
-        m_waves[w] = (std::max)(m_waves[w], m_waves[collapse.from] + 1);
+        m_waves[w] = (std::max)(m_waves[w], m_waves[next.from] + 1);
         ++m_changes[w];
         push_next(run, {-1, w, -1, 0});
       }
-      run.made.add_removal(collapse.from, collapse.to, run.ring, run.target_ring);
+      run.made.add_removal(next.from, next.to, run.ring, run.target_ring);
     }
   }
 
@@ -142,9 +142,10 @@ private:
     for(std::size_t i = 0; i < curve.size(); ++i)
       m_block_of[curve[i]] = (static_cast<int>(i) + shift) / size;
     std::vector<Collapse> collapses = cheapest_collapses();
-    const auto last = collapses.begin() + static_cast<int>(Minimizer_numbers::SHARE_COARSENED_IN_BLOCKS * to_remove);
-    if(last >= collapses.end())
-      return; // hardly more can be removed than are to be
+    const int most = static_cast<int>(Minimizer_numbers::SHARE_COARSENED_IN_BLOCKS * to_remove);
+    if(most <= 0 || most >= static_cast<int>(collapses.size()))
+      return; // nothing is to be removed, or hardly more can be
+    const auto last = collapses.begin() + most;
     std::nth_element(collapses.begin(), last, collapses.end(),
                      [](const Collapse& a, const Collapse& b) { return b > a; });
     std::vector<std::vector<Collapse>> of_block(m_block_of[curve.back()] + 1);
@@ -152,15 +153,15 @@ private:
       of_block[m_block_of[c->from]].push_back(*c);
     std::vector<Run> runs(of_block.size());
     Thread_team::current()(runs.size(), [&](std::size_t b) {
-      const int most = static_cast<int>(of_block[b].size());
+      const int most_of_block = static_cast<int>(of_block[b].size());
       runs[b].block = static_cast<int>(b);
       runs[b].largest_cost = last->cost;
       runs[b].queue = Queue(std::greater<Collapse>(), std::move(of_block[b]));
-      collapse(runs[b], most);
+      collapse(runs[b], most_of_block);
       runs[b].queue = Queue();
     });
-    for(const Run& run : runs)
-      coarse.append_removals(run.made);
+    for(Run& run : runs)
+      coarse.append_removals(std::move(run.made));
   }
 
   /// the cheapest collapses of all vertices: which comes first does not depend on their order

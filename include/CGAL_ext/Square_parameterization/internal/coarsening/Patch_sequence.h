@@ -64,9 +64,9 @@ public:
     std::unique_ptr<Coarse_patch> next = coarsened(coarsest(), shapes_kept);
     if(!next)
       return false;
-    if(!m_curve.empty())
-      m_curve = coarse_curve(m_curve, *next);
+    std::vector<int> curve = m_curve.empty() ? std::vector<int>() : coarse_curve(m_curve, *next);
     m_coarse.push_back(std::move(next));
+    m_curve = std::move(curve);
     return true;
   }
 

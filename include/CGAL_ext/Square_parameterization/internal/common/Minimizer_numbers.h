@@ -72,8 +72,8 @@ struct Minimizer_numbers
   /// wait. More: blocks that are not enough for all threads.
   static constexpr int VERTICES_COARSENED_AT_A_TIME = 8192;
 
-  /// share of the vertices that are to be removed, which are removed in such blocks, at most. Larger: some that would not be
-  /// removed if they were compared with all others.
+  /// share of the vertices that are still to be removed, at most, which are removed in such blocks, twice. Larger: some that would
+  /// not be removed if they were compared with all others.
   static constexpr double SHARE_COARSENED_IN_BLOCKS = 0.8;
 
   // --- what threads share: Patch_division ---

@@ -39,7 +39,7 @@ public:
     std::size_t whole = 0;
     for(std::size_t f = 0; f < fronts.size(); ++f)
       whole += fronts[f].parent < 0 ? work[f] : 0;
-    const std::size_t largest = whole < LEAST_DIVIDED ? whole : whole / NUMBER_OF_PARTS;
+    const std::size_t largest = whole < LEAST_DIVIDED ? 2 * whole : whole / LARGEST_SMALL_PART;
     for(std::size_t f = 0; f < fronts.size(); ++f)
       if(work[f] > largest)
         add_large(fronts, static_cast<int>(f));
@@ -58,9 +58,9 @@ public:
 private:
   static constexpr int NONE = -1;
 
-  /// small subtrees have at most such a part of the numbers of the factor. More: more copies of rows; less: parts that are not
-  /// enough for all threads.
-  static constexpr std::size_t NUMBER_OF_PARTS = 16;
+  /// small subtrees have at most the 16th part of the numbers of the factor. More than 16: more copies of rows; less: parts that
+  /// are not enough for all threads.
+  static constexpr std::size_t LARGEST_SMALL_PART = 16;
 
   /// numbers of a factor that is divided, at least: one solution with it takes as long as some ten calls of threads
   static constexpr std::size_t LEAST_DIVIDED = 100000;

@@ -17,7 +17,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -165,7 +164,7 @@ private:
     m_first_moves = finest_of_first_moves();
     coarsen({std::nullopt});
     if(!is_to_be_factored(m_patches.coarsest())) // there was to be a coarser one
-      m_minimizers.back() = make_minimizer(m_patches.coarsest(), m_patches.curve(), false, options, deadline);
+      m_minimizers.back() = minimizer_of_level(m_patches.coarsest(), m_patches.curve(), false, options, deadline);
   }
 
   /// adds a coarser patch, if there is one, and makes the minimizer of the coarsest as yet, if it has none, at a time
@@ -180,15 +179,15 @@ private:
       if(i == 0)
         is_added = m_patches.add_coarser(shapes_kept);
       else
-        m_minimizers.push_back(make_minimizer(patch, curve, !is_to_be_factored(patch), options, deadline));
+        m_minimizers.push_back(minimizer_of_level(patch, curve, !is_to_be_factored(patch), options, deadline));
     });
     return is_added;
   }
 
   /// \param has_coarser indicates whether a coarser minimizer takes the place of factors
-  std::unique_ptr<Balanced_minimizer> make_minimizer(const Patch& patch, const std::vector<int>& curve,
-                                                     bool has_coarser, Balanced_minimization options,
-                                                     const Deadline& deadline) const
+  std::unique_ptr<Balanced_minimizer> minimizer_of_level(const Patch& patch, const std::vector<int>& curve,
+                                                         bool has_coarser, Balanced_minimization options,
+                                                         const Deadline& deadline) const
   {
     if(&patch != &m_patches[0])
       options.balance = m_coarse_balance;

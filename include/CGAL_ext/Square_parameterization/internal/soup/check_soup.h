@@ -103,8 +103,9 @@ inline Topology_counts count_topology(const Surface_soup& soup, const std::vecto
     ++counts.edges;
     if(end - begin == 2) { // oriented: where one face begins the edge the other ends it
       const Soup_side &f = *begin, &g = *std::next(begin);
-      corners.union_set(3 * f.face + f.corner, 3 * g.face + next(g.corner));
-      corners.union_set(3 * f.face + next(f.corner), 3 * g.face + g.corner);
+      const std::size_t of_f = 3 * std::size_t(f.face), of_g = 3 * std::size_t(g.face);
+      corners.union_set(of_f + f.corner, of_g + next(g.corner));
+      corners.union_set(of_f + next(f.corner), of_g + g.corner);
     } else {
       loops.union_set(begin->low, begin->high);
       is_on_border[begin->low] = is_on_border[begin->high] = true;

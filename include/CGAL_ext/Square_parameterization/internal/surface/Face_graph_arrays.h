@@ -38,13 +38,11 @@ Eigen::Vector3d point_of(VertexPointMap vpm, Vertex v)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-/// refuses faces that are not triangles
-inline void check_triangles(std::size_t polygons)
+/// there are so many faces that are not triangles
+[[noreturn]] inline void refuse_polygons(std::size_t polygons)
 {
-  if(polygons > 0)
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NON_TRIANGULAR_MESH,
-                     std::to_string(polygons) +
-                         (polygons == 1 ? " face is not a triangle" : " faces are not triangles"));
+  throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NON_TRIANGULAR_MESH,
+                   std::to_string(polygons) + (polygons == 1 ? " face is not a triangle" : " faces are not triangles"));
 }
 
 /// reads some faces of a mesh, and their vertices: the one walk over a mesh. Corner 0 of a face is where its first
@@ -69,7 +67,8 @@ Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceR
     }
     polygons += corners == 3 ? 0 : 1;
   }
-  check_triangles(polygons);
+  if(polygons > 0)
+    refuse_polygons(polygons);
   result.vertices.reserve(number_of_vertices);
   result.arrays.points.reserve(number_of_vertices);
   result.arrays.triangles.reserve(number_of_faces);

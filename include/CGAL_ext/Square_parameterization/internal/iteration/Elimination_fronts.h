@@ -49,8 +49,8 @@ public:
     m_parts = std::move(division.parts());
     m_stages = std::move(division.stages());
     place_columns();
-    place_contributions();
-    copy_rows();
+    place_contributions(division.part_of());
+    copy_rows(division.part_of());
   }
 
   const std::vector<Elimination_front>& fronts() const { return m_fronts; } ///< children before their parents
@@ -203,15 +203,12 @@ private:
 
   /// lays the contributions of each part on two stacks of its own, of fronts of odd and of even depth: a front takes those
   /// of its children from the one, and puts its own on the other
-  void place_contributions()
+  void place_contributions(const std::vector<int>& part_of)
   {
-    std::vector<int> stack_of(m_fronts.size(), 0), part_of(m_fronts.size(), 0);
+    std::vector<int> stack_of(m_fronts.size(), 0);
     for(std::size_t f = m_fronts.size(); f-- > 0;)
       if(m_fronts[f].parent >= 0)
         stack_of[f] = 1 - stack_of[m_fronts[f].parent];
-    for(std::size_t p = 0; p < m_parts.size(); ++p)
-      for(int f : m_parts[p].fronts)
-        part_of[f] = static_cast<int>(p);
     for(const Front_part& part : m_parts) {
       std::array<std::size_t, 2> size{0, 0}, largest{0, 0};
       for(int f : part.fronts) {
@@ -231,14 +228,13 @@ private:
   }
 
   /// gives each part its own copies of the rows that are eliminated in other parts
-  void copy_rows()
+  void copy_rows(const std::vector<int>& part_of)
   {
     const int n = static_cast<int>(m_places.size());
     std::vector<int> part_of_row(n), copy(n);
     std::vector<std::vector<int>> copied(m_parts.size()); // ascending
-    for(std::size_t p = 0; p < m_parts.size(); ++p)
-      for(int f : m_parts[p].fronts)
-        std::fill_n(part_of_row.begin() + m_fronts[f].first, m_fronts[f].width, static_cast<int>(p));
+    for(std::size_t f = 0; f < m_fronts.size(); ++f)
+      std::fill_n(part_of_row.begin() + m_fronts[f].first, m_fronts[f].width, part_of[f]);
     for(std::size_t p = m_parts.size(); p-- > 0;) { // parents first
       Front_part& part = m_parts[p];
       const auto for_rows_of_others = [&](const auto& visit) {

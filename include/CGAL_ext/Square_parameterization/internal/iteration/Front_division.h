@@ -55,6 +55,9 @@ public:
   /// where the parts of each stage begin, and #parts
   std::vector<int>& stages() { return m_stages; }
 
+  /// per front, its part
+  const std::vector<int>& part_of() const { return m_part_of; }
+
 private:
   static constexpr int NONE = -1;
 
@@ -150,6 +153,8 @@ private:
     }
     m_stages.push_back(static_cast<int>(order.size()));
     m_parts = std::move(sorted);
+    for(int& part : m_part_of)
+      part = number[part];
     for(std::size_t p = 0; p < m_parts.size(); ++p)
       if(int& parent = m_parts[p].parent; parent != NONE) {
         parent = number[parent];

@@ -44,36 +44,21 @@ public:
       for(std::size_t v = begin; v < end; ++v)
         fine.row(m_kept[v]) = coarse.row(v);
     });
-    for(std::size_t wave = 0; wave + 1 < m_first_of_wave.size(); ++wave) {
-      const std::size_t first = m_first_of_wave[wave];
-      for_ranges(
-          m_first_of_wave[wave + 1] - first,
-          [&](std::size_t begin, std::size_t end) {
-            for(std::size_t i = first + begin; i < first + end; ++i) {
-              Eigen::RowVector2d mean(0, 0);
-              for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
-                mean += double(m_neighbors[k].weight) * fine.row(m_neighbors[k].row);
-              fine.row(m_removed[i]) = mean;
-            }
-          },
-          REMOVED_AT_A_TIME);
-    }
+    for(std::size_t wave = 0; wave < number_of_waves(); ++wave)
+      for_removed(wave, [&](std::size_t i) {
+        Eigen::RowVector2d mean(0, 0);
+        for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+          mean += double(m_neighbors[k].weight) * fine.row(m_neighbors[k].row);
+        fine.row(m_removed[i]) = mean;
+      });
   }
 
   /// the transposed of `prolong()`
   /// \param fine (#V by 2) is overwritten
   void restrict_to_coarse(Uv_coordinates& fine, Uv_coordinates& coarse) const
   {
-    for(std::size_t wave = m_first_of_wave.size() - 1; wave-- > 0;) {
-      const std::size_t first = m_first_of_wave[wave];
-      for_ranges(
-          m_first_of_wave[wave + 1] - first,
-          [&](std::size_t begin, std::size_t end) {
-            for(std::size_t i = first + begin; i < first + end; ++i)
-              fine.row(m_removed[i]) = with_followers(fine, m_removed[i]);
-          },
-          REMOVED_AT_A_TIME);
-    }
+    for(std::size_t wave = number_of_waves(); wave-- > 0;)
+      for_removed(wave, [&](std::size_t i) { fine.row(m_removed[i]) = with_followers(fine, m_removed[i]); });
     coarse.resize(m_kept.size(), 2);
     for_ranges(m_kept.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t v = begin; v < end; ++v)
@@ -90,6 +75,22 @@ private:
   };
 
   static constexpr std::size_t REMOVED_AT_A_TIME = 1024; // most waves are short
+
+  std::size_t number_of_waves() const { return m_first_of_wave.size() - 1; }
+
+  /// calls `visit(i)` for the vertices of a wave, by their places in the list of the removed
+  template <class Visit>
+  void for_removed(std::size_t wave, const Visit& visit) const
+  {
+    const std::size_t first = m_first_of_wave[wave];
+    for_ranges(
+        m_first_of_wave[wave + 1] - first,
+        [&](std::size_t begin, std::size_t end) {
+          for(std::size_t i = first + begin; i < first + end; ++i)
+            visit(i);
+        },
+        REMOVED_AT_A_TIME);
+  }
 
   /// by length, of its neighbors on the border alone
   static std::vector<double> weights_on_border(const Patch& fine, int vertex, const Vertex_ring& ring)

@@ -252,7 +252,8 @@ TEST_CASE("the work of a map is that of its steps, and more where triangles stan
     };
     const Uv_coordinates map = some_map(patch);
     CHECK(work_beside_steps(map) == 0);
-    CHECK(work_beside_steps(squeezed(patch, map)) >= Minimizer_numbers::ROUNDABOUT_WORK * patch.number_of_vertices());
+    CHECK(double(work_beside_steps(squeezed(patch, map))) >=
+          Minimizer_numbers::ROUNDABOUT_WORK * patch.number_of_vertices());
   }
 }
 

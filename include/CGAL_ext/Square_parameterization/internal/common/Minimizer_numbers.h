@@ -4,6 +4,8 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_MINIMIZER_NUMBERS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COMMON_MINIMIZER_NUMBERS_H
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL_ext {
@@ -174,15 +176,23 @@ struct Minimizer_numbers
   static constexpr long STEP_WORK = 4;
 
   /// the same of a direction that is tried to go round triangles, and factored for that alone
-  static constexpr long ROUNDABOUT_WORK = 2;
+  static constexpr double ROUNDABOUT_WORK = 2;
 
-  /// the same, in what the whole map counts for, where it ends above `LOST_RESULT`: triangles stand in the way of most of its
-  /// steps, and other maps are worth more. Less: surfaces of a thousand faces take more than a second, in vain.
-  static constexpr long ROUNDABOUT_WORK_OF_LOST = 6;
+  /// the same, at least, in what the whole map counts for, where it ends above `LOST_RESULT`: triangles stand in the way of
+  /// most of its steps, and other maps are worth more. Less: surfaces of a thousand faces take more than a second, in vain.
+  static constexpr double ROUNDABOUT_WORK_OF_LOST = 6;
 
   /// vertices of a patch whose matrices are factored, at most: above, a V-cycle over the coarser patches stands for the
   /// factors, whose time and memory grow faster than the patch
   static constexpr int LARGEST_FACTORED = 20000;
+
+  /// times that it costs more to go round triangles of a patch than of one with `SMALL_FACTORED` vertices or fewer: the square
+  /// root of the vertices, for so much faster does the time of factors grow than that of sweeps
+  static constexpr int SMALL_FACTORED = 250;
+  static double growth_of_roundabouts(int vertices)
+  {
+    return std::sqrt(double((std::clamp)(vertices, SMALL_FACTORED, LARGEST_FACTORED)) / SMALL_FACTORED);
+  }
 
   /// edges from a vertex to the border, at most, of a patch that is factored however large it is. Less: polygons and strips
   /// of tens of thousands of corners, whose thin triangles no V-cycle reaches, are left far from their minimum. More: factors

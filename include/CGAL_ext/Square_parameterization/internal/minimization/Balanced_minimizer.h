@@ -168,7 +168,7 @@ public:
     }
     const bool is_lost = report.objective > Minimizer_numbers::LOST_RESULT;
     map.work += work_of(report.iterations - first_iteration, steps.roundabouts(),
-                        is_lost ? Minimizer_numbers::ROUNDABOUT_WORK_OF_LOST : Minimizer_numbers::ROUNDABOUT_WORK);
+                        is_lost ? Minimizer_numbers::ROUNDABOUT_WORK_OF_LOST : 0);
     report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);
     map.uv = m_patch.in_given_order(std::move(map.uv));
@@ -202,9 +202,14 @@ private:
   }
 
   /// what steps and directions round triangles cost, in vertices visited
-  long work_of(long steps, long roundabouts, long roundabout_work = Minimizer_numbers::ROUNDABOUT_WORK) const
+  /// \param least_of_roundabout what one of these costs at least, in sweeps
+  long work_of(long steps, long roundabouts, double least_of_roundabout = 0) const
   {
-    return (Minimizer_numbers::STEP_WORK * steps + roundabout_work * roundabouts) * m_patch->number_of_vertices();
+    const int vertices = m_patch->number_of_vertices();
+    const double of_roundabout = (std::max)(
+        least_of_roundabout, Minimizer_numbers::ROUNDABOUT_WORK * Minimizer_numbers::growth_of_roundabouts(vertices));
+    return Minimizer_numbers::STEP_WORK * steps * vertices +
+           static_cast<long>(of_roundabout * static_cast<double>(roundabouts) * vertices);
   }
 
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }

@@ -109,6 +109,7 @@ public:
   /// \param number of the step, from 1
   double take_step(unsigned int number, Uv_coordinates& uv)
   {
+    m_number = number;
     m_sweep(m_is_free, m_energy.scale(m_workspace.trial), m_workspace.trial);
     m_workspace.previous_gradient.swap(m_workspace.gradient);
     const double energy = look_at(m_workspace.trial);
@@ -162,17 +163,23 @@ private:
     return tries > 0;
   }
 
-  static bool is_blocked(double feasible)
+  /// length of a step below which it is blocked: after many steps, where triangles still stand in the way, the less the
+  /// more it costs to go round them
+  double blocked_step() const
   {
-    return Minimizer_numbers::STEP_SAFETY * feasible < Minimizer_numbers::BLOCKED_STEP;
+    const bool is_late = m_number > Minimizer_numbers::MANY_STEPS;
+    return Minimizer_numbers::BLOCKED_STEP /
+           (is_late ? Minimizer_numbers::growth_of_roundabouts(m_patch.number_of_vertices()) : 1);
   }
+
+  bool is_blocked(double feasible) const { return Minimizer_numbers::STEP_SAFETY * feasible < blocked_step(); }
 
   /// lets the vertices of triangles that stand in the way stay
   void fix_blocked(const Uv_coordinates& uv, Free_coordinates& moves) const
   {
-    constexpr double LEAST = Minimizer_numbers::BLOCKED_STEP / Minimizer_numbers::STEP_SAFETY;
+    const double least = blocked_step() / Minimizer_numbers::STEP_SAFETY;
     for(const auto& t : m_patch.triangles)
-      if(is_blocked(largest_step(t, uv, m_workspace.direction, LEAST)))
+      if(is_blocked(largest_step(t, uv, m_workspace.direction, least)))
         for(int v : t)
           moves(v, 0) = moves(v, 1) = false;
   }
@@ -198,7 +205,8 @@ private:
   const Free_coordinates& m_is_free;
   Workspace& m_workspace;
   Secant_memory m_memory{Minimizer_numbers::SECANT_PAIRS};
-  unsigned int m_age = 0; // of the factors, in steps
+  unsigned int m_number = 0; // of the last step
+  unsigned int m_age = 0;    // of the factors, in steps
   long m_roundabouts = 0;
   bool m_has_gone_round = false; // in the step that is tried
 };

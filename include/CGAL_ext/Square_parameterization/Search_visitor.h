@@ -30,8 +30,8 @@ public:
   /// first, never less than before, 1 last. Not called where there is nothing to compare.
   virtual void cut_progress(double /* share */) {}
 
-  /// called before the first evaluation, once, and again for each other start (see `Map_start`) that is tried, with the
-  /// number of candidates: an upper bound of the evaluations
+  /// called before the first evaluation, once, and again for each other start (see `Map_start`) that is tried, and for a
+  /// second cut that all but ties with the best, with the number of candidates: an upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 
   /// called after each sketch, the map of a candidate on a coarser mesh: see `Corner_search_problem`

@@ -95,6 +95,13 @@ public:
 
   Candidate_set candidate_set() const { return m_candidate_set; }
 
+  /// indicates whether the search that it was made of is of that type
+  template <class Search>
+  bool is_of_type() const
+  {
+    return m_search.target<Search>() != nullptr;
+  }
+
   void operator()(const Corner_search_problem& problem) const { m_search(problem); }
 
 private:

@@ -198,7 +198,7 @@ struct Cut_numbers
   /// by 3 % at most. More: a tenth of a second for each cut, in vain.
   double far_from_best = 0.06;
 
-  // --- carrying a cut over to a finer surface ---
+  // --- carrying a cut over to a finer surface, and two cuts that tie ---
 
   /// pieces of an edge of the cut, at whose ends the nearest vertices of the finer surface are sought: enough to lead
   /// along the edges of a surface that is a hundred times finer
@@ -207,6 +207,18 @@ struct Cut_numbers
   /// how far the cut may be rerouted on either side, in edges of the cut. More: it is shorter, but another way may
   /// leave more stretch than the cut that was chosen.
   double lift_band = 2;
+
+  /// how far the score of a cut may lie above the best, relative, for it to be carried over and compared by its length
+  /// there: lengths change by 2 % at most. More: a hundredth of a second for each cut, in vain.
+  double near_best = 0.01;
+
+  /// how far the score of a second cut may then lie above that of the best, relative, for both to be mapped: a copy tells what
+  /// cuts leave to a few thousandths. Larger: more second maps, nearly all in vain.
+  double tie = 0.002;
+
+  /// faces of a surface, at most, of which two cuts are mapped. More: surfaces of fifty thousand faces take half as long
+  /// again, for a thousandth of L2 + 0.05 length.
+  int largest_mapped_twice = 20000;
 };
 
 } // namespace internal

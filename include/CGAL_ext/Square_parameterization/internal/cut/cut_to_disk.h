@@ -6,9 +6,10 @@
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/Cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Decided_cut.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL_ext {
@@ -18,8 +19,22 @@ namespace internal {
 /// A disk is not cut, except along given seams, or where the options ask for it and it pays. Deterministic.
 ///
 /// Throws `Unmappable` when nothing is to be cut and the surface is no disk, and for seams that make no sense.
-Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
-                const Seam_options& options, Cut_report& report);
+/// \return the best cut, and then a second one where the decision hardly tells them apart
+/// \param report what they have in common is set; `report_cut()` is to follow
+std::vector<Decided_cut> cuts_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
+                                      const Seam_options& options, Cut_report& report);
+
+/// reports the cut that is taken
+void report_cut(const Triangle_surface& surface, const Decided_cut& taken, Cut_report& report);
+
+/// the best cut of `cuts_to_disk()`
+inline Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
+                       const Seam_options& options, Cut_report& report)
+{
+  std::vector<Decided_cut> cuts = cuts_to_disk(surface, seams, options, report);
+  report_cut(surface, cuts.front(), report);
+  return std::move(cuts.front().cut);
+}
 
 } // namespace internal
 } // namespace CGAL_ext

@@ -89,26 +89,30 @@ inline Cut complete_seams(const Triangle_surface& surface, const std::vector<std
   return cut;
 }
 
-CGAL_EXT_INLINE_FUNCTION Cut cut_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
-                                         const Seam_options& options, Cut_report& report)
+CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> cuts_to_disk(const Triangle_surface& surface,
+                                                               const std::vector<std::array<int, 2>>& seams,
+                                                               const Seam_options& options, Cut_report& report)
 {
   check_seam_options(options);
   constexpr int MOST_COMPETITORS = 16; // cuts that are scored concurrently
   Thread_team team(options.number_of_threads, MOST_COMPETITORS);
-  Cut cut(surface);
   if(!seams.empty())
-    cut = complete_seams(surface, seams);
-  else if(surface.is_disk() && !options.may_cut_disk())
-    return cut;
-  else if(options.mode == Cut_mode::NONE)
+    return {{complete_seams(surface, seams)}};
+  if(surface.is_disk() && !options.may_cut_disk())
+    return {{Cut(surface)}};
+  if(options.mode == Cut_mode::NONE)
     refuse_uncut(surface);
-  else if(options.mode == Cut_mode::BEST)
-    cut = Cut_decision(options, team, report)(surface);
-  else
-    cut = shortest_cut(surface, team);
-  report.seam_edges = cut.edges().size();
-  report.cut_length = cut.length(surface) / std::sqrt(surface.area);
-  return cut;
+  if(options.mode == Cut_mode::BEST)
+    return Cut_decision(options, team, report)(surface);
+  return {{shortest_cut(surface, team)}};
+}
+
+CGAL_EXT_INLINE_FUNCTION void report_cut(const Triangle_surface& surface, const Decided_cut& taken, Cut_report& report)
+{
+  report.seam_edges = taken.cut.edges().size();
+  report.cut_length = taken.cut.length(surface) / std::sqrt(surface.area);
+  report.score = taken.score;
+  report.stretch = taken.stretch;
 }
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_H
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Decided_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/judge_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -66,7 +68,8 @@ inline std::vector<double> weights_of_family(double wanted)
 /// decides on a cut that leaves little stretch. A family of cuts of all lengths is grown on simple copies, for the same
 /// weights whatever weight is wanted; its best members are scored again on a finer copy. On a small surface the best of them
 /// at each of these weights is refined. Those that are best at some weight are judged by searched corners, and maps as near
-/// to their minima as the one that is delivered: the cut for one weight is then hardly worse than that for another.
+/// to their minima as the one that is delivered: the cut for one weight is then hardly worse than that for another. Where two
+/// all but tie, both are decided for, and their maps are to tell.
 class Cut_decision
 {
 public:
@@ -81,27 +84,49 @@ public:
       m_history(options.cut_weight, report)
   {}
 
-  /// for a surface of any size: large ones are decided on by a simplified copy
-  Cut operator()(const Triangle_surface& surface)
+  /// for a surface of any size: large ones are decided on by a simplified copy. Returns the best cut, and then a second
+  /// one where it all but ties.
+  std::vector<Decided_cut> operator()(const Triangle_surface& surface)
   {
     m_progress.begin_part(SIMPLIFIED, 1);
-    Cut cut = decide_on_copy(surface);
+    std::vector<Decided_cut> cuts = decide_on_copy(surface);
     m_progress.begin_part(1, 1);
-    return cut;
+    return cuts;
   }
 
 private:
   // shares of the time of the whole decision that have passed when its parts end: medians of fifteen surfaces
   static constexpr double SIMPLIFIED = 0.04, GROWN_ON_SIMPLER_COPIES = 0.42, GROWN = 0.78, REFINED = 0.82;
 
-  Cut decide_on_copy(const Triangle_surface& surface)
+  std::vector<Decided_cut> decide_on_copy(const Triangle_surface& surface)
   {
     const std::optional<Triangle_surface> copy =
         simplified_copy(surface, numbers().decision_faces, numbers(), m_deadline);
     if(has_passed(m_deadline))
-      return uncompared_cut(surface);
+      return {{uncompared_cut(surface)}};
     m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
-    return copy ? lift_cut(*copy, decide(*copy), surface, numbers()) : decide(surface);
+    std::vector<Scored_cut> cuts = decide(copy ? *copy : surface);
+    if(!copy ||
+       surface.number_of_faces() > numbers().largest_mapped_twice) // what was judged itself, and what takes long
+      cuts.erase(std::next(cuts.begin()), cuts.end());
+    if(copy)
+      m_team(cuts.size(), [&](std::size_t i) { // its length is known then, its stretch is not
+        cuts[i].cut = lift_cut(*copy, cuts[i].cut, surface, numbers());
+        cuts[i].score.length = cuts[i].cut.length(surface) / std::sqrt(surface.area);
+      });
+    return best_two(std::move(cuts));
+  }
+
+  /// the best of the cuts, and the next one if it all but ties
+  std::vector<Decided_cut> best_two(std::vector<Scored_cut> cuts) const
+  {
+    std::stable_sort(cuts.begin(), cuts.end(), Is_better{m_weight});
+    const double most = (1 + numbers().tie) * cuts.front().score.at(m_weight);
+    std::vector<Decided_cut> result;
+    for(const Scored_cut& cut : cuts)
+      if(result.empty() || (result.size() == 1 && cut.score.at(m_weight) <= most))
+        result.push_back({cut.cut, cut.score.at(m_weight), cut.score.stretch});
+    return result;
   }
 
   /// a cut that is found at once, or none when the surface is a disk
@@ -127,8 +152,8 @@ private:
   }
 
   /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, the best of them
-  /// refined where that costs little, and the last few judged
-  Cut decide(const Triangle_surface& surface)
+  /// refined where that costs little, and the last few judged. Returns those that come near the best, the best first.
+  std::vector<Scored_cut> decide(const Triangle_surface& surface)
   {
     Cut_pool pool = pool_of_grown_cuts(surface);
     const std::vector<double> weights = weights_of_family(m_weight);
@@ -142,14 +167,15 @@ private:
       Scored_cut cut = pool.best(weight);
       refine_cut(pool, weight, work_of_refinement(weight), cut, m_history);
     }
-    const std::vector<Scored_cut> judged = judged_cuts(pool, weights);
-    const Scored_cut& best = best_of(judged, m_weight);
+    std::vector<Scored_cut> judged = judged_cuts(pool, weights);
     m_report.is_cancelled = has_passed(m_deadline);
-    m_report.score = best.score.at(m_weight);
-    m_report.stretch = best.score.stretch;
     for(const Scored_cut* cut : front_of(judged))
       m_report.front.push_back({cut->score.length, cut->score.stretch});
-    return best.cut;
+    const double near = (1 + numbers().near_best) * best_of(judged, m_weight).score.at(m_weight);
+    const auto is_far = [&](const Scored_cut& cut) { return !(cut.score.at(m_weight) <= near); };
+    judged.erase(std::remove_if(judged.begin(), judged.end(), is_far), judged.end());
+    std::stable_sort(judged.begin(), judged.end(), Is_better{m_weight});
+    return judged;
   }
 
   /// the cuts of the pool that are best at some weight of the family, judged by searched corners where that is worth its time

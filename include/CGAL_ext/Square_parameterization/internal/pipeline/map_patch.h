@@ -122,6 +122,7 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
                                 Square_map_report& report)
 {
   Search_visitor* const visitor = corners ? nullptr : settings.search_options.visitor;
+  report.start = Map_start::AS_CHOSEN;
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
   if(is_hopeless(outcome))
     outcome.map.work_of_starts = static_cast<long>(outcome.work);
@@ -143,8 +144,6 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
     finish_map(minimizer, visitor, outcome);
   report.search = outcome.report;
   report.minimization = outcome.map.report;
-  if(settings.search_options.visitor != nullptr)
-    settings.search_options.visitor->end_minimization(outcome.map.report);
   if(!has_map(outcome))
     refuse_without_map(outcome.report);
   return outcome;

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_SURFACE_IMPL_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_SURFACE_IMPL_H
 
+#include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
@@ -140,13 +141,100 @@ inline void share_seam_samples(const Patch& patch, const std::vector<int>& origi
   report.minimization = outcome.map.report;
 }
 
+/// a surface that was cut open and mapped
+struct Mapped_disk
+{
+  Patch patch;
+  Surface_edits edits;
+  Search_outcome outcome;
+};
+
+typedef std::chrono::steady_clock Clock;
+
+inline double seconds_since(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// indicates whether both sides of seams are to have the same samples of a grid
+inline bool has_seams_to_fit(const Square_map_settings& settings, const Surface_edits& edits)
+{
+  return settings.seam_grid && !edits.copies.empty();
+}
+
+/// opens the cut, and maps the disk
+/// \param points of the vertices of the mesh
+/// \param report times are added, the others are of this disk. Set also when `Unmappable` is thrown
+inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3d> points, const Decided_cut& cut,
+                            const Chosen_elements& chosen, const Surface_arrays& mesh,
+                            const Square_map_settings& settings, Square_map_report& report)
+{
+  const auto condition_start = Clock::now();
+  report_cut(surface, cut, report.cut);
+  const int surface_vertices = surface.number_of_vertices();
+  Opened_disk disk = open_disk(std::move(surface), cut.cut, settings.chords);
+  report.border_edges_split = disk.edits.border_splits;
+  report.chords_split = disk.edits.splits.size() - disk.edits.border_splits;
+  Patch patch = patch_of_disk(std::move(disk.surface), points_after(disk.edits, std::move(points)));
+  report.border_edges = patch.border.size();
+  report.degenerate_faces = patch.degenerate_faces.size();
+  std::optional<Corners> corners;
+  if(chosen.corners)
+    corners = border_positions(*chosen.corners, mesh, surface_vertices, patch, disk.edits, report);
+  const auto minimizer = make_minimizer(patch, settings.minimization, settings.search_options.deadline);
+  report.condition_seconds += seconds_since(condition_start);
+
+  const auto search_start = Clock::now();
+  Search_outcome outcome =
+      map_patch(patch, *minimizer, corners,
+                has_seams_to_fit(settings, disk.edits) ? with_time_for_seams(settings) : settings, report);
+  report.search_seconds += seconds_since(search_start);
+  return {std::move(patch), std::move(disk.edits), std::move(outcome)};
+}
+
+/// indicates whether a second cut that all but ties is mapped, too: not where the corners are chosen, or searched in another
+/// way than by the few maps of the default, for all processes that share a search must have one disk
+inline bool may_map_twice(const Chosen_elements& chosen, const Square_map_settings& settings)
+{
+  return !chosen.corners && settings.search.is_of_type<Bracketing_corner_search>();
+}
+
+/// maps the disks that the cuts leave, and returns the best: with the lowest L2 stretch plus weighted length of the cut
+/// \param report of the best disk, with the times of all
+inline Mapped_disk map_best_disk(const Triangle_surface& surface, const std::vector<Eigen::Vector3d>& points,
+                                 const std::vector<Decided_cut>& cuts, const Chosen_elements& chosen,
+                                 const Surface_arrays& mesh, const Square_map_settings& settings,
+                                 Square_map_report& report)
+{
+  const auto score = [&settings](const Mapped_disk& disk, const Square_map_report& of_disk) {
+    return disk.outcome.map.report.l2 + settings.cut.cut_weight * of_disk.cut.cut_length;
+  };
+  std::optional<Mapped_disk> best;
+  Square_map_report of_best;
+  for(const Decided_cut& cut : cuts) {
+    try {
+      Mapped_disk next = map_disk(surface, points, cut, chosen, mesh, settings, report);
+      if(!best || score(next, report) < score(*best, of_best)) {
+        best.emplace(std::move(next));
+        of_best = report;
+      }
+    } catch(const Unmappable&) { // the next one may have a map
+      if(!best && (&cut == &cuts.back() || report.search.is_cancelled))
+        throw;
+    }
+    if(report.search.is_cancelled)
+      break;
+  }
+  of_best.condition_seconds = report.condition_seconds;
+  of_best.search_seconds = report.search_seconds;
+  of_best.search.is_cancelled = report.search.is_cancelled;
+  report = std::move(of_best);
+  return std::move(*best);
+}
+
 CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const Chosen_elements& chosen,
                                                     const Square_map_settings& settings, Square_map_report& report)
 {
-  typedef std::chrono::steady_clock Clock;
-  const auto seconds_between = [](Clock::time_point from, Clock::time_point to) {
-    return std::chrono::duration<double>(to - from).count();
-  };
   const auto start = Clock::now();
   check_settings(settings);
   Thread_team team(settings.search_options.number_of_threads);
@@ -154,38 +242,28 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
   const int surface_vertices = static_cast<int>(mesh.points.size());
   Triangle_surface surface = make_checked_surface(mesh);
   mesh.triangles = std::vector<std::array<int, 3>>(); // from here on each has its memory as long as it is needed
-  const Cut cut = cut_to_disk(surface, chosen.seams, seam_options(settings), report.cut);
-  const auto condition_start = Clock::now();
-  report.cut_seconds = seconds_between(start, condition_start);
+  const std::vector<Decided_cut> cuts = cuts_to_disk(surface, chosen.seams, seam_options(settings), report.cut);
+  report.cut_seconds = seconds_since(start);
   report.search.is_cancelled = has_passed(settings.search_options.deadline);
   if(report.search.is_cancelled)
     refuse_without_map(report.search);
 
-  Opened_disk disk = open_disk(std::move(surface), cut, settings.chords);
-  report.border_edges_split = disk.edits.border_splits;
-  report.chords_split = disk.edits.splits.size() - disk.edits.border_splits;
-  const Patch patch = patch_of_disk(std::move(disk.surface), points_after(disk.edits, std::move(mesh.points)));
-  report.border_edges = patch.border.size();
-  report.degenerate_faces = patch.degenerate_faces.size();
-  std::optional<Corners> corners;
-  if(chosen.corners)
-    corners = border_positions(*chosen.corners, mesh, surface_vertices, patch, disk.edits, report);
-  const auto minimizer = make_minimizer(patch, settings.minimization, settings.search_options.deadline);
-  const auto search_start = Clock::now();
-  report.condition_seconds = seconds_between(condition_start, search_start);
-
-  const bool has_seams_to_fit = settings.seam_grid && !disk.edits.copies.empty();
-  Search_outcome outcome =
-      map_patch(patch, *minimizer, corners, has_seams_to_fit ? with_time_for_seams(settings) : settings, report);
-  report.search_seconds = seconds_between(search_start, Clock::now());
-  if(has_seams_to_fit)
-    share_seam_samples(patch, originals_in_disk(disk.edits, surface_vertices, patch.number_of_vertices()), settings,
-                       outcome, report);
-  report.measures = measure(shapes_as_given(patch), patch.triangles, on_rectangle(outcome.map.uv, outcome.map.aspect));
-  report.aspect = outcome.map.aspect;
-  Mapped_surface result{std::move(disk.edits), patch.triangles, outcome.map.uv, {}};
+  std::vector<Eigen::Vector3d> points = std::move(mesh.points);
+  Mapped_disk disk =
+      cuts.size() > 1 && may_map_twice(chosen, settings)
+          ? map_best_disk(surface, points, cuts, chosen, mesh, settings, report)
+          : map_disk(std::move(surface), std::move(points), cuts.front(), chosen, mesh, settings, report);
+  if(settings.search_options.visitor != nullptr)
+    settings.search_options.visitor->end_minimization(disk.outcome.map.report);
+  if(has_seams_to_fit(settings, disk.edits))
+    share_seam_samples(disk.patch, originals_in_disk(disk.edits, surface_vertices, disk.patch.number_of_vertices()),
+                       settings, disk.outcome, report);
+  report.measures = measure(shapes_as_given(disk.patch), disk.patch.triangles,
+                            on_rectangle(disk.outcome.map.uv, disk.outcome.map.aspect));
+  report.aspect = disk.outcome.map.aspect;
+  Mapped_surface result{std::move(disk.edits), std::move(disk.patch.triangles), std::move(disk.outcome.map.uv), {}};
   for(int k = 0; k < 4; ++k)
-    result.corners[k] = patch.border[outcome.report.corners[k]];
+    result.corners[k] = disk.patch.border[disk.outcome.report.corners[k]];
   return result;
 }
 

@@ -16,12 +16,14 @@ set(folder ${BINARY_DIR}/consumer)
 file(REMOVE_RECURSE ${folder})
 check_consumer(${BINARY_DIR} ${folder}/as_is -D CMAKE_PREFIX_PATH=${folder}/as_is/installed)
 
-# the library alone takes nothing of what the tests and the command need
+# the library alone takes nothing of what the tests and the command need; compiled for one small map, and so without
+# optimisation
 set(not_needed "")
 foreach(package Catch2 nlohmann_json PNG tinyexr TinyGLTF OpenMesh Doxygen Python3)
   list(APPEND not_needed -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 run(${CMAKE_COMMAND} --preset install -S ${PACKAGE_DIR} -B ${folder}/package -G ${GENERATOR} ${not_needed}
+    -D CMAKE_CXX_FLAGS_RELEASE=-O0
     -D CMAKE_INSTALL_INCLUDEDIR=headers/of/packages -D CMAKE_INSTALL_LIBDIR=lib/other)
 run(${CMAKE_COMMAND} --build ${folder}/package)
 check_consumer(${folder}/package ${folder}/other_folders

@@ -214,7 +214,7 @@ struct Cut_numbers
 
   /// how far the score of a second cut may then lie above that of the best, relative, for both to be mapped: a copy tells what
   /// cuts leave to a few thousandths. Larger: more second maps, nearly all in vain.
-  double tie = 0.002;
+  double tie = 0.0017;
 
   /// faces of a surface, at most, of which two cuts are mapped. More: surfaces of fifty thousand faces take half as long
   /// again, for a thousandth of L2 + 0.05 length.

@@ -8,11 +8,13 @@
 
 #include <CGAL_ext/Square_parameterization/Step_sampling_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 using namespace CGAL_ext;
@@ -105,12 +107,15 @@ TEST_CASE(
     "of two cuts that all but tie the first is mapped alone where another search is wanted, or the search is stopped")
 {
   const Closed_mesh mesh = lens();
-  const std::size_t first_edges = decided_cuts(surface_of(mesh)).front().cut.edges().size();
+  const std::vector<Decided_cut> cuts = decided_cuts(surface_of(mesh));
+  REQUIRE(cuts.size() == 2);
+  const double first_score = cuts.front().score;
+  REQUIRE(cuts.back().score != first_score);
   Counting_visitor of_sampling;
   Square_map_settings sampling;
   sampling.search = Step_sampling_corner_search(8);
   sampling.search_options.visitor = &of_sampling;
-  CHECK(map_mesh(mesh, sampling).cut.seam_edges == first_edges);
+  CHECK(map_mesh(mesh, sampling).cut.score == first_score);
   CHECK(of_sampling.searches == 1);
 
   struct First_alone : Counting_visitor
@@ -122,17 +127,40 @@ TEST_CASE(
   settings.search_options.visitor = &visitor;
   settings.search_options.callback = [&visitor](double) { return !visitor.is_over; };
   const Square_map_report report = map_mesh(mesh, settings);
-  CHECK(report.cut.seam_edges == first_edges);
+  CHECK(report.cut.score == first_score);
   CHECK(report.search.is_cancelled);
   CHECK(report.search.evaluations > 0);
   CHECK(visitor.searches == 2);
 }
 
-TEST_CASE("of a surface that is small or large one cut is decided for")
+TEST_CASE("of a surface that is too large for two maps the best cut alone is decided for")
 {
-  for(const Closed_mesh& mesh : {ellipsoid(3, 3), ellipsoid(6, 0.6)}) {
-    const Triangle_surface surface = surface_of(mesh);
-    CHECK((surface.number_of_faces() < 5000 || surface.number_of_faces() > 20000));
-    CHECK(decided_cuts(surface).size() == 1);
-  }
+  const Triangle_surface surface = surface_of(lens());
+  Thread_team team(0);
+  Cut_report report;
+  const auto cuts_with = [&](int largest) {
+    Cut_numbers numbers;
+    numbers.largest_mapped_twice = largest;
+    return Cut_decision(Seam_options(), team, report, numbers)(surface);
+  };
+  const std::vector<Decided_cut> one = cuts_with(surface.number_of_faces() - 1);
+  const std::vector<Decided_cut> two = cuts_with(surface.number_of_faces());
+  REQUIRE(one.size() == 1);
+  REQUIRE(two.size() == 2);
+  CHECK(one.front().score >= two.front().score); // the second may be the shorter when it is carried over
+}
+
+TEST_CASE("when the time is over before the search the report has the cut")
+{
+  const Closed_mesh mesh = ellipsoid(3, 3);
+  Surface_arrays arrays;
+  arrays.points = mesh.points;
+  arrays.triangles = mesh.triangles;
+  Square_map_settings settings;
+  settings.search_options.deadline = std::chrono::steady_clock::now();
+  Square_map_report report;
+  CHECK_THROWS_AS(map_surface(arrays, {}, settings, report), Unmappable);
+  CHECK(report.search.is_cancelled);
+  CHECK(report.cut.seam_edges > 0);
+  CHECK(report.cut.cut_length > 0);
 }

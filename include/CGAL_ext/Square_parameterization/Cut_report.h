@@ -46,9 +46,9 @@ struct Cut_report
 {
   std::size_t seam_edges = 0; ///< number of edges cut
   double cut_length = 0;      ///< in units of the square root of the area, every seam counted once
-  /// of the cut that was taken, on the surface that was decided on; infinite when there was nothing to decide
+  /// of the cut that was taken: `stretch` plus the weighted `cut_length`; infinite when there was nothing to decide
   double score = std::numeric_limits<double>::infinity();
-  double stretch = std::numeric_limits<double>::infinity(); ///< its L2 stretch there
+  double stretch = std::numeric_limits<double>::infinity(); ///< its L2 stretch, on the surface that was decided on
   std::vector<Cut_step> history; ///< steps of the decision; empty when there was nothing to decide
 
   /// the cuts that are best at some `Cut_options::cut_weight`, the shortest first, on the surface that was decided on.

@@ -46,14 +46,15 @@ public:
   virtual void after_corner_move() {}
 
   /// called after all of these, before the best map is minimised to the end, unless a search is refused or left by an
-  /// exception; once more where other starts are tried after that
+  /// exception; once more where other starts are tried after that, and for a second cut
   virtual void start_minimization() {}
 
-  /// called after that, as often, with the search that found the map
+  /// called after that, as often, with the search that found the map; of a second cut it is the last one, though the map of
+  /// the first may be the better
   virtual void end_search(const Search_report& /* report */) {}
 
   /// called once, after all of these, with the minimization that made the best map: the delivered one, unless another
-  /// parameterizer takes the border alone from it
+  /// parameterizer takes the border alone from it. Not called where there is no map.
   virtual void end_minimization(const Minimization_report& /* report */) {}
 };
 

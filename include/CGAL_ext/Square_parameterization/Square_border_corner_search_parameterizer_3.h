@@ -106,7 +106,7 @@ public:
   internal::Search_outcome search(const internal::Patch& patch, const internal::Map_minimizer& minimizer) const
   {
     internal::Search_outcome outcome = internal::search_square_map(patch, minimizer, m_search, m_options);
-    if(m_options.visitor != nullptr)
+    if(m_options.visitor != nullptr && outcome.map.uv.rows() > 0)
       m_options.visitor->end_minimization(outcome.map.report);
     return outcome;
   }

@@ -159,7 +159,8 @@ struct Minimizer_numbers
   static constexpr int MAXIMUM_STEP_HALVINGS = 40;
 
   /// length of a step below which it goes round the triangles that keep it short: a step that is a fiftieth of what is
-  /// wanted moves nothing but them. Larger: more factorizations, and steps that leave much to the sweep.
+  /// wanted moves nothing but them. After `MANY_STEPS` it is divided by `growth_of_roundabouts()`. Larger: more
+  /// factorizations, and steps that leave much to the sweep.
   static constexpr double BLOCKED_STEP = 0.02;
 
   /// directions that are tried to go round triangles: vertices that stay make others stand in the way
@@ -175,7 +176,8 @@ struct Minimizer_numbers
   /// cost of a step, as a multiple of that of a sweep; measured
   static constexpr long STEP_WORK = 4;
 
-  /// the same of a direction that is tried to go round triangles, and factored for that alone
+  /// the same of a direction that is tried to go round triangles, and factored for that alone; times
+  /// `growth_of_roundabouts()`
   static constexpr double ROUNDABOUT_WORK = 2;
 
   /// the same, at least, in what the whole map counts for, where it ends above `LOST_RESULT`: triangles stand in the way of

@@ -12,7 +12,7 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// a cut that makes a surface a disk, and what it is worth on the surface that was decided on
+/// a cut that makes a surface a disk, and what the decision says that it is worth
 struct Decided_cut
 {
   Cut cut;

@@ -106,8 +106,8 @@ private:
       return {{uncompared_cut(surface)}};
     m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
     std::vector<Scored_cut> cuts = decide(copy ? *copy : surface);
-    if(!copy ||
-       surface.number_of_faces() > numbers().largest_mapped_twice) // what was judged itself, and what takes long
+    // a surface that was judged itself has no ties, and two maps of a large one take long
+    if(!copy || surface.number_of_faces() > numbers().largest_mapped_twice)
       cuts.erase(std::next(cuts.begin()), cuts.end());
     if(copy)
       m_team(cuts.size(), [&](std::size_t i) { // its length is known then, its stretch is not
@@ -123,9 +123,12 @@ private:
     std::stable_sort(cuts.begin(), cuts.end(), Is_better{m_weight});
     const double most = (1 + numbers().tie) * cuts.front().score.at(m_weight);
     std::vector<Decided_cut> result;
-    for(const Scored_cut& cut : cuts)
-      if(result.empty() || (result.size() == 1 && cut.score.at(m_weight) <= most))
+    for(const Scored_cut& cut : cuts) {
+      const bool is_second = result.size() == 1 && cut.score.at(m_weight) <= most &&
+                             cut.cut.edges() != result.front().cut.edges(); // two may become one on the surface
+      if(result.empty() || is_second)
         result.push_back({cut.cut, cut.score.at(m_weight), cut.score.stretch});
+    }
     return result;
   }
 

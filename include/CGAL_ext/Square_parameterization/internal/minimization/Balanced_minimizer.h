@@ -129,7 +129,7 @@ public:
     map.uv = m_patch.in_order(std::move(map.uv));
     const Free_coordinates is_free = free_coordinates(*m_patch, map.uv, is_border_sliding());
     Minimization_report& report = map.report;
-    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, workspace);
+    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, report.iterations, workspace);
     report.objective = steps.look_at(map.uv);
     if(report.history.empty())
       report.history.push_back(report.objective);
@@ -184,7 +184,7 @@ public:
     for(int i = 0; i < Minimizer_numbers::SETTLING_SWEEPS; ++i)
       m_sweep(is_free, m_energy.scale(map.uv), map.uv);
     Workspace workspace;
-    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, workspace);
+    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, map.report.iterations, workspace);
     map.report.objective = map.report.history.back() = steps.look_at(map.uv);
     map.report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
     measure_stretch(map);

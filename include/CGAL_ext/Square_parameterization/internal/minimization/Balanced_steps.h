@@ -41,14 +41,17 @@ public:
     }
   };
 
+  /// \param steps_before those that have led to the map
   Balanced_steps(const Patch& patch, const Balanced_energy& energy, const Multigrid_preconditioner& preconditioner,
-                 const Vertex_sweep& sweep, const Free_coordinates& is_free, Workspace& workspace)
+                 const Vertex_sweep& sweep, const Free_coordinates& is_free, unsigned int steps_before,
+                 Workspace& workspace)
     : m_patch(patch),
       m_energy(energy),
       m_preconditioner(preconditioner),
       m_sweep(sweep),
       m_is_free(is_free),
-      m_workspace(workspace)
+      m_workspace(workspace),
+      m_number(steps_before)
   {}
 
   /// sets the gradient, and returns the energy
@@ -204,9 +207,9 @@ private:
   const Vertex_sweep& m_sweep;
   const Free_coordinates& m_is_free;
   Workspace& m_workspace;
+  unsigned int m_number; // of the last step
   Secant_memory m_memory{Minimizer_numbers::SECANT_PAIRS};
-  unsigned int m_number = 0; // of the last step
-  unsigned int m_age = 0;    // of the factors, in steps
+  unsigned int m_age = 0; // of the factors, in steps
   long m_roundabouts = 0;
   bool m_has_gone_round = false; // in the step that is tried
 };

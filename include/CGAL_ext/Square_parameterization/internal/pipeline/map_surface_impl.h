@@ -156,15 +156,9 @@ inline double seconds_since(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// indicates whether both sides of seams are to have the same samples of a grid
-inline bool has_seams_to_fit(const Square_map_settings& settings, const Surface_edits& edits)
-{
-  return settings.seam_grid && !edits.copies.empty();
-}
-
 /// opens the cut, and maps the disk
 /// \param points of the vertices of the mesh
-/// \param report times are added, the others are of this disk. Set also when `Unmappable` is thrown
+/// \param report its times are added to, the rest is of this disk, as far as it has come when `Unmappable` is thrown
 inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3d> points, const Decided_cut& cut,
                             const Chosen_elements& chosen, const Surface_arrays& mesh,
                             const Square_map_settings& settings, Square_map_report& report)
@@ -185,18 +179,23 @@ inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3
   report.condition_seconds += seconds_since(condition_start);
 
   const auto search_start = Clock::now();
-  Search_outcome outcome =
-      map_patch(patch, *minimizer, corners,
-                has_seams_to_fit(settings, disk.edits) ? with_time_for_seams(settings) : settings, report);
+  Search_outcome outcome = map_patch(patch, *minimizer, corners, settings, report);
   report.search_seconds += seconds_since(search_start);
   return {std::move(patch), std::move(disk.edits), std::move(outcome)};
 }
 
 /// indicates whether a second cut that all but ties is mapped, too: not where the corners are chosen, or searched in another
-/// way than by the few maps of the default, for all processes that share a search must have one disk
+/// way than by a few maps, for all processes that share a search must have one disk
 inline bool may_map_twice(const Chosen_elements& chosen, const Square_map_settings& settings)
 {
-  return !chosen.corners && settings.search.is_of_type<Bracketing_corner_search>();
+  return !chosen.corners && settings.search.is_of_type<Bracketing_corner_search>() &&
+         std::holds_alternative<Balanced_minimization>(settings.minimization);
+}
+
+/// indicates whether there is time for as much again as was done since \p start
+inline bool has_time_again(Clock::time_point start, const Deadline& deadline)
+{
+  return !deadline || Clock::now() + (Clock::now() - start) < *deadline;
 }
 
 /// maps the disks that the cuts leave, and returns the best: with the lowest L2 stretch plus weighted length of the cut
@@ -209,6 +208,7 @@ inline Mapped_disk map_best_disk(const Triangle_surface& surface, const std::vec
   const auto score = [&settings](const Mapped_disk& disk, const Square_map_report& of_disk) {
     return disk.outcome.map.report.l2 + settings.cut.cut_weight * of_disk.cut.cut_length;
   };
+  const auto start = Clock::now();
   std::optional<Mapped_disk> best;
   Square_map_report of_best;
   for(const Decided_cut& cut : cuts) {
@@ -222,7 +222,7 @@ inline Mapped_disk map_best_disk(const Triangle_surface& surface, const std::vec
       if(!best && (&cut == &cuts.back() || report.search.is_cancelled))
         throw;
     }
-    if(report.search.is_cancelled)
+    if(report.search.is_cancelled || (best && !has_time_again(start, settings.search_options.deadline)))
       break;
   }
   of_best.condition_seconds = report.condition_seconds;
@@ -243,19 +243,22 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
   Triangle_surface surface = make_checked_surface(mesh);
   mesh.triangles = std::vector<std::array<int, 3>>(); // from here on each has its memory as long as it is needed
   const std::vector<Decided_cut> cuts = cuts_to_disk(surface, chosen.seams, seam_options(settings), report.cut);
+  report_cut(surface, cuts.front(), report.cut);
   report.cut_seconds = seconds_since(start);
   report.search.is_cancelled = has_passed(settings.search_options.deadline);
   if(report.search.is_cancelled)
     refuse_without_map(report.search);
 
+  const bool is_cut =
+      std::any_of(cuts.begin(), cuts.end(), [](const Decided_cut& c) { return !c.cut.edges().empty(); });
+  const Square_map_settings of_maps = settings.seam_grid && is_cut ? with_time_for_seams(settings) : settings;
   std::vector<Eigen::Vector3d> points = std::move(mesh.points);
-  Mapped_disk disk =
-      cuts.size() > 1 && may_map_twice(chosen, settings)
-          ? map_best_disk(surface, points, cuts, chosen, mesh, settings, report)
-          : map_disk(std::move(surface), std::move(points), cuts.front(), chosen, mesh, settings, report);
+  Mapped_disk disk = cuts.size() > 1 && may_map_twice(chosen, settings)
+                         ? map_best_disk(surface, points, cuts, chosen, mesh, of_maps, report)
+                         : map_disk(std::move(surface), std::move(points), cuts.front(), chosen, mesh, of_maps, report);
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(disk.outcome.map.report);
-  if(has_seams_to_fit(settings, disk.edits))
+  if(settings.seam_grid && !disk.edits.copies.empty())
     share_seam_samples(disk.patch, originals_in_disk(disk.edits, surface_vertices, disk.patch.number_of_vertices()),
                        settings, disk.outcome, report);
   report.measures = measure(shapes_as_given(disk.patch), disk.patch.triangles,

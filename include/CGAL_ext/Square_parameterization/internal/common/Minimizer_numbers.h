@@ -190,7 +190,7 @@ struct Minimizer_numbers
 
   /// times that it costs more to go round triangles of a patch than of one with `SMALL_FACTORED` vertices or fewer: the square
   /// root of the vertices, for so much faster does the time of factors grow than that of sweeps
-  static constexpr int SMALL_FACTORED = 250;
+  static constexpr int SMALL_FACTORED = 300;
   static double growth_of_roundabouts(int vertices)
   {
     return std::sqrt(double((std::clamp)(vertices, SMALL_FACTORED, LARGEST_FACTORED)) / SMALL_FACTORED);

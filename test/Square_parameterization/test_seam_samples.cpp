@@ -59,19 +59,13 @@ struct Rebuilt
 
 Rebuilt rebuild(const Closed_mesh& closed, const Grid_size& grid, const Deadline& deadline = {})
 {
-  Surface_arrays arrays;
-  arrays.points = closed.points;
-  arrays.triangles = closed.triangles;
-  const Triangle_surface surface = surface_of(closed);
-  for(const auto& loop : surface.border_loops)
-    arrays.border_sides += loop.size();
   Square_map_settings settings;
   settings.seam_grid = grid;
   settings.cut.mode = Cut_mode::SHORTEST;
   settings.search = First_candidate_corner_search();
   settings.search_options.deadline = deadline;
   Rebuilt result;
-  result.map = map_surface(arrays, {}, settings, result.report);
+  result.map = map_surface(arrays_of(closed), {}, settings, result.report);
   result.points = points_after(result.map.edits, closed.points);
   const auto locations = locate_samples(result.map.triangles, result.map.uv, grid);
   std::vector<Eigen::Vector3d> samples;

@@ -46,13 +46,8 @@ struct Counting_visitor : Search_visitor
 Square_map_report map_mesh(const Closed_mesh& mesh, const Square_map_settings& settings,
                            const Chosen_elements& chosen = {})
 {
-  Surface_arrays arrays;
-  arrays.points = mesh.points;
-  arrays.triangles = mesh.triangles;
-  for(const auto& loop : surface_of(mesh).border_loops)
-    arrays.border_sides += loop.size();
   Square_map_report report;
-  map_surface(arrays, chosen, settings, report);
+  map_surface(arrays_of(mesh), chosen, settings, report);
   return report;
 }
 
@@ -152,14 +147,10 @@ TEST_CASE("of a surface that is too large for two maps the best cut alone is dec
 
 TEST_CASE("when the time is over before the search the report has the cut")
 {
-  const Closed_mesh mesh = ellipsoid(3, 3);
-  Surface_arrays arrays;
-  arrays.points = mesh.points;
-  arrays.triangles = mesh.triangles;
   Square_map_settings settings;
   settings.search_options.deadline = std::chrono::steady_clock::now();
   Square_map_report report;
-  CHECK_THROWS_AS(map_surface(arrays, {}, settings, report), Unmappable);
+  CHECK_THROWS_AS(map_surface(arrays_of(ellipsoid(3, 3)), {}, settings, report), Unmappable);
   CHECK(report.search.is_cancelled);
   CHECK(report.cut.seam_edges > 0);
   CHECK(report.cut.cut_length > 0);

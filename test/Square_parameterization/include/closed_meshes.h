@@ -8,6 +8,7 @@
 
 #include "test_meshes.h"
 
+#include <CGAL_ext/Square_parameterization/internal/surface/Surface_arrays.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
 #include <functional>
@@ -27,6 +28,17 @@ struct Closed_mesh
 inline CGAL_ext::internal::Triangle_surface surface_of(const Closed_mesh& mesh)
 {
   return CGAL_ext::internal::make_triangle_surface(mesh.points, mesh.triangles);
+}
+
+/// the same as a mesh is read
+inline CGAL_ext::internal::Surface_arrays arrays_of(const Closed_mesh& mesh)
+{
+  CGAL_ext::internal::Surface_arrays arrays;
+  arrays.points = mesh.points;
+  arrays.triangles = mesh.triangles;
+  for(const auto& loop : surface_of(mesh).border_loops)
+    arrays.border_sides += loop.size();
+  return arrays;
 }
 
 inline Closed_mesh tetrahedron()

@@ -18,6 +18,13 @@ inline bool has_passed(const Deadline& deadline)
   return deadline && std::chrono::steady_clock::now() >= *deadline;
 }
 
+/// indicates whether there is time for as much again as was done since \p start
+inline bool has_time_again(std::chrono::steady_clock::time_point start, const Deadline& deadline)
+{
+  const auto now = std::chrono::steady_clock::now();
+  return !deadline || now + (now - start) < *deadline;
+}
+
 /// the deadline of the first of two parts of the work
 /// \param share of the time that is left that the part has, in [0, 1]
 inline Deadline part_way_to(const Deadline& deadline, double share)

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -108,7 +107,7 @@ private:
     std::vector<Scored_cut> cuts = decide(copy ? *copy : surface);
     // a surface that was judged itself has no ties, and two maps of a large one take long
     if(!copy || surface.number_of_faces() > numbers().largest_mapped_twice)
-      cuts.erase(std::next(cuts.begin()), cuts.end());
+      cuts = {Scored_cut(best_of(cuts, m_weight))};
     if(copy)
       m_team(cuts.size(), [&](std::size_t i) { // its length is known then, its stretch is not
         cuts[i].cut = lift_cut(*copy, cuts[i].cut, surface, numbers());
@@ -155,7 +154,7 @@ private:
   }
 
   /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, the best of them
-  /// refined where that costs little, and the last few judged. Returns those that come near the best, the best first.
+  /// refined where that costs little, and the last few judged. Returns those that come near the best.
   std::vector<Scored_cut> decide(const Triangle_surface& surface)
   {
     Cut_pool pool = pool_of_grown_cuts(surface);
@@ -177,7 +176,6 @@ private:
     const double near = (1 + numbers().near_best) * best_of(judged, m_weight).score.at(m_weight);
     const auto is_far = [&](const Scored_cut& cut) { return !(cut.score.at(m_weight) <= near); };
     judged.erase(std::remove_if(judged.begin(), judged.end(), is_far), judged.end());
-    std::stable_sort(judged.begin(), judged.end(), Is_better{m_weight});
     return judged;
   }
 

@@ -159,7 +159,7 @@ public:
       }
       if(steps.try_step(report.objective, slope, map.uv)) {
         report.best_iteration = ++report.iterations;
-        report.objective = steps.take_step(report.iterations, map.uv);
+        report.objective = steps.take_step(map.uv);
         report.history.push_back(report.objective);
       } else if(!steps.start_afresh()) {
         report.stop_reason = Stop_reason::NO_LOWER_MAP;

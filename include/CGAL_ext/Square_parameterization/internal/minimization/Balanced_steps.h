@@ -51,7 +51,7 @@ public:
       m_sweep(sweep),
       m_is_free(is_free),
       m_workspace(workspace),
-      m_number(steps_before)
+      m_steps(steps_before)
   {}
 
   /// sets the gradient, and returns the energy
@@ -109,10 +109,9 @@ public:
   }
 
   /// sweeps over the trial, makes it the map, remembers the step, and returns the energy
-  /// \param number of the step, from 1
-  double take_step(unsigned int number, Uv_coordinates& uv)
+  double take_step(Uv_coordinates& uv)
   {
-    m_number = number;
+    ++m_steps;
     m_sweep(m_is_free, m_energy.scale(m_workspace.trial), m_workspace.trial);
     m_workspace.previous_gradient.swap(m_workspace.gradient);
     const double energy = look_at(m_workspace.trial);
@@ -122,7 +121,7 @@ public:
     set_rows(gradient_change, uv.rows(),
              [&](const auto& rows) { return rows(m_workspace.gradient) - rows(gradient_change); });
     m_memory.add(change, gradient_change);
-    m_age = m_has_gone_round ? 0 : (m_age + 1) % lifetime_of_factors(number);
+    m_age = m_has_gone_round ? 0 : (m_age + 1) % lifetime_of_factors(m_steps);
     if(m_has_gone_round)
       m_memory.clear(); // of a step that was none of the whole mesh
     return energy;
@@ -145,12 +144,13 @@ private:
   /// \param feasible the largest step in the direction
   bool go_round_blocked(const Uv_coordinates& uv, double& slope, double& feasible)
   {
+    const double blocked = blocked_step();
     Free_coordinates moves = m_is_free;
     bool are_factors_new = m_age == 0;
     int tries = 0;
-    while(tries < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible)) {
+    while(tries < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible, blocked)) {
       ++tries;
-      fix_blocked(uv, moves);
+      fix_blocked(uv, blocked, moves);
       m_memory.clear();
       // at the same map the matrices only lose rows
       if(!(are_factors_new ? m_preconditioner.factorize_fewer(moves, m_workspace.preconditioner)
@@ -170,19 +170,22 @@ private:
   /// more it costs to go round them
   double blocked_step() const
   {
-    const bool is_late = m_number > Minimizer_numbers::MANY_STEPS;
+    const bool is_late = m_steps > Minimizer_numbers::MANY_STEPS;
     return Minimizer_numbers::BLOCKED_STEP /
            (is_late ? Minimizer_numbers::growth_of_roundabouts(m_patch.number_of_vertices()) : 1);
   }
 
-  bool is_blocked(double feasible) const { return Minimizer_numbers::STEP_SAFETY * feasible < blocked_step(); }
+  static bool is_blocked(double feasible, double blocked)
+  {
+    return Minimizer_numbers::STEP_SAFETY * feasible < blocked;
+  }
 
   /// lets the vertices of triangles that stand in the way stay
-  void fix_blocked(const Uv_coordinates& uv, Free_coordinates& moves) const
+  void fix_blocked(const Uv_coordinates& uv, double blocked, Free_coordinates& moves) const
   {
-    const double least = blocked_step() / Minimizer_numbers::STEP_SAFETY;
+    const double least = blocked / Minimizer_numbers::STEP_SAFETY;
     for(const auto& t : m_patch.triangles)
-      if(is_blocked(largest_step(t, uv, m_workspace.direction, least)))
+      if(is_blocked(largest_step(t, uv, m_workspace.direction, least), blocked))
         for(int v : t)
           moves(v, 0) = moves(v, 1) = false;
   }
@@ -207,7 +210,7 @@ private:
   const Vertex_sweep& m_sweep;
   const Free_coordinates& m_is_free;
   Workspace& m_workspace;
-  unsigned int m_number; // of the last step
+  unsigned int m_steps; // that have led to the map
   Secant_memory m_memory{Minimizer_numbers::SECANT_PAIRS};
   unsigned int m_age = 0; // of the factors, in steps
   long m_roundabouts = 0;

@@ -159,14 +159,13 @@ inline double seconds_since(Clock::time_point start)
 /// opens the cut, and maps the disk
 /// \param points of the vertices of the mesh
 /// \param report its times are added to, the rest is of this disk, as far as it has come when `Unmappable` is thrown
-inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3d> points, const Decided_cut& cut,
+inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3d> points, const Cut& cut,
                             const Chosen_elements& chosen, const Surface_arrays& mesh,
                             const Square_map_settings& settings, Square_map_report& report)
 {
   const auto condition_start = Clock::now();
-  report_cut(surface, cut, report.cut);
   const int surface_vertices = surface.number_of_vertices();
-  Opened_disk disk = open_disk(std::move(surface), cut.cut, settings.chords);
+  Opened_disk disk = open_disk(std::move(surface), cut, settings.chords);
   report.border_edges_split = disk.edits.border_splits;
   report.chords_split = disk.edits.splits.size() - disk.edits.border_splits;
   Patch patch = patch_of_disk(std::move(disk.surface), points_after(disk.edits, std::move(points)));
@@ -192,12 +191,6 @@ inline bool may_map_twice(const Chosen_elements& chosen, const Square_map_settin
          std::holds_alternative<Balanced_minimization>(settings.minimization);
 }
 
-/// indicates whether there is time for as much again as was done since \p start
-inline bool has_time_again(Clock::time_point start, const Deadline& deadline)
-{
-  return !deadline || Clock::now() + (Clock::now() - start) < *deadline;
-}
-
 /// maps the disks that the cuts leave, and returns the best: with the lowest L2 stretch plus weighted length of the cut
 /// \param report of the best disk, with the times of all
 inline Mapped_disk map_best_disk(const Triangle_surface& surface, const std::vector<Eigen::Vector3d>& points,
@@ -212,8 +205,9 @@ inline Mapped_disk map_best_disk(const Triangle_surface& surface, const std::vec
   std::optional<Mapped_disk> best;
   Square_map_report of_best;
   for(const Decided_cut& cut : cuts) {
+    report_cut(surface, cut, report.cut);
     try {
-      Mapped_disk next = map_disk(surface, points, cut, chosen, mesh, settings, report);
+      Mapped_disk next = map_disk(surface, points, cut.cut, chosen, mesh, settings, report);
       if(!best || score(next, report) < score(*best, of_best)) {
         best.emplace(std::move(next));
         of_best = report;
@@ -253,9 +247,10 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
       std::any_of(cuts.begin(), cuts.end(), [](const Decided_cut& c) { return !c.cut.edges().empty(); });
   const Square_map_settings of_maps = settings.seam_grid && is_cut ? with_time_for_seams(settings) : settings;
   std::vector<Eigen::Vector3d> points = std::move(mesh.points);
-  Mapped_disk disk = cuts.size() > 1 && may_map_twice(chosen, settings)
-                         ? map_best_disk(surface, points, cuts, chosen, mesh, of_maps, report)
-                         : map_disk(std::move(surface), std::move(points), cuts.front(), chosen, mesh, of_maps, report);
+  Mapped_disk disk =
+      cuts.size() > 1 && may_map_twice(chosen, settings)
+          ? map_best_disk(surface, points, cuts, chosen, mesh, of_maps, report)
+          : map_disk(std::move(surface), std::move(points), cuts.front().cut, chosen, mesh, of_maps, report);
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(disk.outcome.map.report);
   if(settings.seam_grid && !disk.edits.copies.empty())

@@ -197,7 +197,8 @@ TEST_CASE("what the steps on a delivered map may cost grows more slowly than the
     CHECK(levels.most_final_work() == most);
   };
   constexpr long SWEEPS = Minimizer_numbers::MOST_FINAL_SWEEPS, VERTICES = Minimizer_numbers::FINAL_VERTICES;
-  check(100, 10, SWEEPS * VERTICES, SWEEPS * VERTICES);
+  constexpr long OF_SMALL = Minimizer_numbers::MOST_TIMES_FINAL_VERTICES * 1111;
+  check(100, 10, SWEEPS * OF_SMALL, SWEEPS * OF_SMALL);
   check(100, 100, SWEEPS * VERTICES, SWEEPS * VERTICES);
   check(8000, 2, SWEEPS * VERTICES + Minimizer_numbers::MOST_FINAL_SWEEPS_OF_MORE * (24003 - VERTICES), SWEEPS * 24003);
 }
@@ -415,4 +416,25 @@ TEST_CASE("the other starts have a fixed order, and each leads to a map; the las
   Balanced_minimization with_fixed_border;
   with_fixed_border.border = Border_motion::FIXED;
   CHECK(other_starts(patch, with_fixed_border, {}).size() == sliding.size());
+  CHECK(other_starts(make_patch_of(unit_square(1)), {}, {}).size() == sliding.size()); // four corners cannot slide
+}
+
+TEST_CASE("a map that stays above a limit is left on its way, and finished by another call; one below it is finished")
+{
+  const Patch patch = make_patch_of(rectangle(8, 8, 1e4, 1, 1));
+  Balanced_minimization options;
+  options.search_tolerance = 0.1;
+  options.tolerance = 1e-9;
+  const auto minimizer = make_minimizer(patch, options);
+  const Minimized_map map = minimizer->make_worker()(border_of(patch, 0), nullptr);
+  const Minimized_map finished = minimizer->finish(map);
+  const double energy = finished.report.objective;
+  REQUIRE(energy < 0.99 * map.report.objective);
+  const Minimized_map below = minimizer->finish(map, 2 * energy);
+  CHECK(below.uv == finished.uv);
+  const Minimized_map left = minimizer->finish(map, energy / 10);
+  CHECK(left.report.iterations < finished.report.iterations);
+  CHECK(number_of_flipped_faces(patch.triangles, left.uv) == 0);
+  CHECK(left.report.objective > energy / 10);
+  CHECK(minimizer->finish(left).report.objective == Approx(energy).epsilon(1e-6));
 }

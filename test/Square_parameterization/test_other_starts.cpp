@@ -14,6 +14,34 @@
 using namespace CGAL_ext;
 using namespace CGAL_ext::internal;
 
+TEST_CASE("a search without a map goes on where it has stopped for what maps cost, and work is left for one more")
+{
+  const Patch patch = make_patch_of(unit_square(4));
+  Search_outcome outcome;
+  outcome.report.candidates = 10;
+  outcome.report.evaluations = 5;
+  outcome.heeds_work = true;
+  outcome.work = 0.8 * most_work_of_starts(patch.number_of_vertices());
+  REQUIRE(would_go_on(patch, outcome));
+  SECTION("no other candidates are left")
+  {
+    outcome.report.evaluations = 10;
+  }
+  SECTION("one more costs too much")
+  {
+    outcome.report.evaluations = 2;
+  }
+  SECTION("the strategy did not ask")
+  {
+    outcome.heeds_work = false;
+  }
+  SECTION("there is a map")
+  {
+    outcome.map.uv.setZero(patch.number_of_vertices(), 2);
+  }
+  CHECK_FALSE(would_go_on(patch, outcome));
+}
+
 TEST_CASE("another start that leads to the same hopeless map is the last")
 {
   // any map of a strip that is a few million times as long as wide is stretched a thousand times

@@ -229,8 +229,8 @@ struct Minimizer_numbers
   /// what a hopeless map may cost until then, in sweeps over the mesh; or in vertices visited, where that is more. Less:
   /// surfaces whose maps are led out of a stretch of hundreds in the end are given few steps; more: surfaces of a thousand
   /// faces take more than a second, in vain. At most what the steps on the delivered map may cost (`MOST_FINAL_SWEEPS`).
-  static constexpr long MOST_HOPELESS_SWEEPS = 1500;
-  static constexpr long LEAST_HOPELESS_WORK = 2000000;
+  static constexpr long MOST_HOPELESS_SWEEPS = 1000;
+  static constexpr long LEAST_HOPELESS_WORK = 1000000;
 
   /// steps on the mesh itself at most while candidates for the corners are compared: a bound on the time. Fewer: maps
   /// stretched tens of times are compared before they are comparable.
@@ -241,6 +241,10 @@ struct Minimizer_numbers
   /// taken off, but for a quarter. Less: maps stretched tens of times are left before they are near their minimum.
   static constexpr long MOST_FINAL_SWEEPS = 450;
   static constexpr int FINAL_VERTICES = 20000;
+
+  /// times as many vertices as it has that such a mesh counts for, at most, but for a quarter. More: closed surfaces of a thousand faces with
+  /// spikes, which take all steps that they are given, take more than a second.
+  static constexpr int MOST_TIMES_FINAL_VERTICES = 12;
 
   /// the same for each vertex beyond these, of a map that is not hopeless by then: long strips and polygons take hundreds of
   /// steps that lower their energy by a thousandth in all. Less: strips of ten thousand cells and more are stretched more, by
@@ -312,6 +316,10 @@ struct Minimizer_numbers
 
   /// sweeps over flat or flipped triangles at most: a bound on the time
   static constexpr int MAXIMUM_REPAIR_SWEEPS = 48;
+
+  /// sweeps in a row that leave as many of these triangles as before, after which it ends. More: seconds for surfaces that
+  /// have no such map anyway.
+  static constexpr int REPAIR_SWEEPS_IN_VAIN = 8;
 
   /// sweeps after which one more ring of vertices round these triangles moves: what a ring has no room for needs the next
   static constexpr int REPAIR_SWEEPS_PER_RING = 4;

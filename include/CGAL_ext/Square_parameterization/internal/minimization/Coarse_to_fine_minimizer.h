@@ -56,11 +56,11 @@ public:
     return comparing_worker(m_minimizer.first_moves_level());
   }
 
-  Minimized_map finish(Minimized_map map) const override
+  Minimized_map finish(Minimized_map map, double limit) const override
   {
     if(map.uv.rows() == 0)
       return map;
-    Minimized_map finished = checked(m_minimizer.finish(map));
+    Minimized_map finished = checked(m_minimizer.finish(map, limit));
     return finished.uv.rows() > 0 ? finished : map;
   }
 
@@ -93,7 +93,8 @@ private:
     const auto rows = border_uv.rowwise();
     const bool is_square = std::all_of(rows.begin(), rows.end(), is_on_unit_square);
     return finish(is_square || m_minimizer.keeps_border() ? make_worker()(border_uv, nullptr)
-                                                          : checked(map_with_whole_border(border_uv, 0)));
+                                                          : checked(map_with_whole_border(border_uv, 0)),
+                  NO_LIMIT);
   }
 
   /// what a coarse border has no room for, or would let slide, is mapped without. Without uv where the border is kept

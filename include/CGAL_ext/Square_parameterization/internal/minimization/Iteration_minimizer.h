@@ -43,7 +43,7 @@ public:
   bool has_rough_maps() const override { return false; }
 
   /// a map of a worker is ready
-  Minimized_map finish(Minimized_map map) const override { return map; }
+  Minimized_map finish(Minimized_map map, double) const override { return map; }
 
   Minimized_map map_border(const Uv_coordinates& border_uv) const override
   {

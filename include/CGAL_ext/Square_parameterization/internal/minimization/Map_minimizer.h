@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace internal {
 class Map_minimizer
 {
 public:
+  static constexpr double NO_LIMIT = std::numeric_limits<double>::infinity(); ///< of objectives
+
   /// maps for one border (#B by 2). The result has no uv, and an infinite objective, unless the map is one-to-one by
   /// exact arithmetic. A minimizer may start from the warm start of a map for a similar border; null for none.
   typedef std::function<Minimized_map(const Uv_coordinates& border_uv, const Uv_coordinates* warm_start)> Worker;
@@ -61,7 +64,9 @@ public:
   virtual bool has_rough_maps() const = 0;
 
   /// the map to deliver, made of the best map of a worker: candidates are mapped no better than needed to compare them
-  virtual Minimized_map finish(Minimized_map map) const = 0;
+  /// \param limit one whose objective stays above it may come back as it is, or on its way to be finished by another call;
+  ///        its objective is then about what it would come to
+  virtual Minimized_map finish(Minimized_map map, double limit = NO_LIMIT) const = 0;
 
   /// maps for one border (#B by 2) that is any convex polygon, also a clockwise one: then through its mirror image
   virtual Minimized_map map_border(const Uv_coordinates& border_uv) const = 0;

@@ -110,19 +110,20 @@ public:
   /// what the steps on the map that is delivered may cost, in vertices visited, where it is hopeless
   long most_final_work() const
   {
-    return Minimizer_numbers::MOST_FINAL_SWEEPS *
-           long((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::FINAL_VERTICES));
+    return final_work_of((std::max)(m_patches[0].number_of_vertices(), least_final_vertices()));
   }
 
   /// the same where much was spent before
-  long least_final_work() const { return most_final_work() / 4; }
+  long least_final_work() const
+  {
+    return final_work_of((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::FINAL_VERTICES)) / 4;
+  }
 
   /// the same where it is not hopeless
   long usual_final_work() const
   {
     const long more = (std::max)(m_patches[0].number_of_vertices() - Minimizer_numbers::FINAL_VERTICES, 0);
-    return Minimizer_numbers::MOST_FINAL_SWEEPS * long(Minimizer_numbers::FINAL_VERTICES) +
-           Minimizer_numbers::MOST_FINAL_SWEEPS_OF_MORE * more;
+    return final_work_of(least_final_vertices()) + Minimizer_numbers::MOST_FINAL_SWEEPS_OF_MORE * more;
   }
 
   /// what a map may cost that is hopeless, in vertices visited, until few steps are spent on it
@@ -146,6 +147,17 @@ public:
   }
 
 private:
+  static long final_work_of(int vertices) { return Minimizer_numbers::MOST_FINAL_SWEEPS * long(vertices); }
+
+  /// vertices that a mesh counts for, at least, where the steps on the map that is delivered are counted
+  int least_final_vertices() const
+  {
+    constexpr int LARGEST = Minimizer_numbers::FINAL_VERTICES;
+    return (std::clamp)(Minimizer_numbers::MOST_TIMES_FINAL_VERTICES *
+                            (std::min)(m_patches[0].number_of_vertices(), LARGEST),
+                        LARGEST / 4, LARGEST);
+  }
+
   /// makes the patches, from fine to coarse, starts from the coarsest, and minimizers
   void make_levels(const Balanced_minimization& options, const Deadline& deadline)
   {

@@ -118,15 +118,17 @@ public:
   }
 
   /// continues with a map of `minimize()`, to the tolerance of the map that is delivered, and settles it
-  Minimized_map finish(Minimized_map map) const
+  /// \param limit one whose energy will stay above it is left on its way; its energy is about what it would come to
+  Minimized_map finish(Minimized_map map, double limit = std::numeric_limits<double>::infinity()) const
   {
     if(!is_large()) {
       Balanced_minimizer::Workspace workspace;
       const long work = (std::max)(m_levels.most_final_work() - map.work_of_starts, m_levels.least_final_work());
-      map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance, {m_options.maximum_iterations, work},
-                                           workspace);
+      map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance,
+                                           {m_options.maximum_iterations, work, limit}, workspace);
     }
-    m_levels.minimizer(0).settle(map);
+    if(map.report.objective < limit)
+      m_levels.minimizer(0).settle(map);
     return map;
   }
 

@@ -104,6 +104,16 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   return start;
 }
 
+/// indicates whether a search that has found no map would map more candidates if it had as much work as starts may have: it
+/// would not where it has mapped all, or one more costs too much
+inline bool would_go_on(const Patch& patch, const Search_outcome& outcome)
+{
+  const Search_report& report = outcome.report;
+  const double work_of_one = outcome.work / double((std::max)(report.evaluations, std::size_t(1)));
+  return !has_map(outcome) && outcome.heeds_work && report.evaluations < std::size_t(report.candidates) &&
+         outcome.work + work_of_one <= most_work_of_starts(patch.number_of_vertices());
+}
+
 /// a longer search from the first start, for as much work as starts may cost, when none has led to a map: the few candidates
 /// that each could afford may be the wrong ones
 inline void search_longer(const Patch& patch, const Map_minimizer& minimizer, const Square_map_settings& settings,
@@ -111,7 +121,7 @@ inline void search_longer(const Patch& patch, const Map_minimizer& minimizer, co
 {
   const int vertices = patch.number_of_vertices();
   const double work_factor = most_work_of_starts(vertices) / most_work_of_search(vertices); // more than one
-  if(!has_map(outcome) && outcome.heeds_work && !outcome.report.is_cancelled)
+  if(!has_map(outcome) && !outcome.report.is_cancelled)
     outcome = search_corners(patch, minimizer, settings.search, settings.search_options, work_factor);
 }
 
@@ -126,21 +136,19 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
   if(is_hopeless(outcome))
     outcome.map.work_of_starts = static_cast<long>(outcome.work);
-  bool is_finished = !is_hopeless(outcome, Minimizer_numbers::LOST_RESULT);
-  if(is_finished)
-    finish_map(minimizer, visitor, outcome);
+  if(!is_hopeless(outcome, Minimizer_numbers::LOST_RESULT))
+    finish_map(minimizer, visitor, outcome, Minimizer_numbers::HOPELESS_RESULT);
   if(settings.tries_other_starts && is_hopeless(outcome) && !outcome.report.is_cancelled) {
     // of polygons more candidates have a map than have one from other starts
-    const bool is_polygon = is_mostly_border(patch);
-    if(is_polygon)
+    const bool is_polygon = is_mostly_border(patch), goes_on = would_go_on(patch, outcome);
+    if(is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
     if(is_hopeless(outcome) && !outcome.report.is_cancelled)
       report.start = try_other_starts(patch, corners, settings, outcome);
-    is_finished = is_finished && report.start == Map_start::AS_CHOSEN;
-    if(!is_polygon)
+    if(!is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
   }
-  if(!is_finished)
+  if(is_hopeless(outcome) || report.start != Map_start::AS_CHOSEN)
     finish_map(minimizer, visitor, outcome);
   report.search = outcome.report;
   report.minimization = outcome.map.report;

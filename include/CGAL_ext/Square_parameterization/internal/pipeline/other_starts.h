@@ -43,7 +43,8 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
     starts.push_back({Map_start::BLENDED_WEIGHTS, with_weights(chosen, Blended_weights())});
   starts.push_back({Map_start::UNIFORM_WEIGHTS, with_weights(chosen, Uniform_weights())});
   starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(chosen, Mean_value_weights())});
-  if(chosen.border != Border_motion::FIXED) {
+  const bool can_slide = patch.border.size() > 4; // else all border vertices are corners, and stay
+  if(chosen.border != Border_motion::FIXED && can_slide) {
     Balanced_minimization fixed = chosen;
     fixed.border = Border_motion::FIXED;
     starts.push_back({Map_start::FIXED_BORDER_FIRST, with_weights(fixed, fixed.start.weights)});

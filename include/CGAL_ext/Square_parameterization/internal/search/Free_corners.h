@@ -90,7 +90,7 @@ public:
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;
-      most_work = most_moving_work(is_square);
+      most_work = most_moving_work(is_square, m_patch.number_of_vertices());
       if(is_exhausted())
         return false;
       std::vector<Corners> ends = ends_of_moves(start, is_square, is_exhausted, moves);

@@ -46,11 +46,15 @@ inline double most_work_of_search(int number_of_vertices)
 /// the same where they are those of several starts, beyond what starts may cost on any surface
 constexpr double MOST_WORK_OF_STARTS = 800;
 
+/// the same of small meshes: closed surfaces of a thousand faces are to take no more than a second
+constexpr double MOST_WORK_OF_STARTS_OF_SMALL = 4000;
+
 /// what the candidates of all starts may cost together, in vertices visited, until no more starts are tried for a better
 /// map; and those of the longer search when none has led to a map
 inline double most_work_of_starts(int number_of_vertices)
 {
-  return 6e6 + MOST_WORK_OF_STARTS * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
+  return (std::min)(1e6 + MOST_WORK_OF_STARTS_OF_SMALL * number_of_vertices,
+                    6e6 + MOST_WORK_OF_STARTS * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP));
 }
 
 /// sweeps over a mesh of more than `MOST_VERTICES_OF_MAP` vertices that the candidates of the first start may cost for others
@@ -66,10 +70,13 @@ inline double most_work_of_first_start(int number_of_vertices)
 }
 
 /// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
-/// than half of a search. A rectangle is sought from several places, with all moves.
-inline double most_moving_work(bool is_square)
+/// than half of a search; a mesh counts for `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several places,
+/// with all moves.
+inline double most_moving_work(bool is_square, int number_of_vertices)
 {
-  return (is_square ? 0.5 : 5) * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
+  return is_square ? 0.5 * MOST_SEARCH_WORK *
+                         (std::clamp)(number_of_vertices, LEAST_VERTICES_OF_COSTLY_MAP, MOST_VERTICES_OF_SKETCH)
+                   : 5 * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
 }
 
 } // namespace internal

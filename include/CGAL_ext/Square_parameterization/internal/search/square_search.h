@@ -34,7 +34,9 @@ Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimiz
 
 /// minimises the map, if there is one, to the tolerance of the one that is delivered
 /// \param visitor told of it, and of the end of the search; may be null
-void finish_map(const Map_minimizer& minimizer, Search_visitor* visitor, Search_outcome& outcome);
+/// \param limit one whose objective stays above it is left for a later call
+void finish_map(const Map_minimizer& minimizer, Search_visitor* visitor, Search_outcome& outcome,
+                double limit = Map_minimizer::NO_LIMIT);
 
 /// `search_corners()` and `finish_map()`
 Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,

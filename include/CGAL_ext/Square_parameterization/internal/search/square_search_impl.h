@@ -33,11 +33,11 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, co
 }
 
 CGAL_EXT_INLINE_FUNCTION void finish_map(const Map_minimizer& minimizer, Search_visitor* visitor,
-                                         Search_outcome& outcome)
+                                         Search_outcome& outcome, double limit)
 {
   if(visitor != nullptr)
     visitor->start_minimization();
-  outcome.map = minimizer.finish(std::move(outcome.map));
+  outcome.map = minimizer.finish(std::move(outcome.map), limit);
   outcome.report.is_cancelled |= outcome.map.report.stop_reason == Stop_reason::DEADLINE;
   if(outcome.map.uv.rows() > 0)
     outcome.report.best_objective = outcome.map.report.objective;

@@ -242,14 +242,15 @@ struct Minimizer_numbers
   static constexpr long MOST_FINAL_SWEEPS = 450;
   static constexpr int FINAL_VERTICES = 20000;
 
-  /// times as many vertices as it has that such a mesh counts for, at most, but for a quarter. More: closed surfaces of a thousand faces with
-  /// spikes, which take all steps that they are given, take more than a second.
-  static constexpr int MOST_TIMES_FINAL_VERTICES = 12;
-
   /// the same for each vertex beyond these, of a map that is not hopeless by then: long strips and polygons take hundreds of
   /// steps that lower their energy by a thousandth in all. Less: strips of ten thousand cells and more are stretched more, by
   /// 0.8 % at most as it is.
   static constexpr long MOST_FINAL_SWEEPS_OF_MORE = 80;
+
+  /// times as many vertices as it has that a mesh of fewer than `FINAL_VERTICES` counts for, at most; a quarter of these it counts
+  /// for in any case. More: closed surfaces of a thousand faces with spikes, which take all steps that they are given, take
+  /// more than a second.
+  static constexpr int MOST_TIMES_FINAL_VERTICES = 12;
 
   /// vertices of the patch whose maps are warm starts, at most: above, to transport a map costs more than it saves
   static constexpr int LARGEST_WARM_START = 1000;

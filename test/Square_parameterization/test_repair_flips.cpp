@@ -140,17 +140,6 @@ TEST_CASE("what cannot be repaired is told: a chord on a side, positions that ar
   CHECK_FALSE(is_repairable(patch, uv));
 }
 
-TEST_CASE("a repair that is in vain ends soon")
-{
-  const Patch patch = make_patch_of(fan_with_ears(8, 4));
-  Uv_coordinates uv = some_map(patch);
-  for(const auto& [a, b] : patch.chords)
-    uv.row(a) = uv.row(b);
-  long work = 0;
-  REQUIRE_FALSE(repair_flips(patch, uv, work));
-  CHECK(work <= 3L * patch.number_of_faces() * 2 * Minimizer_numbers::REPAIR_SWEEPS_IN_VAIN);
-}
-
 TEST_CASE("an iteration that starts with a map lost in rounding goes on from the repaired one")
 {
   // weights that leave the vertices of the inner part within a rounding error of each other

@@ -318,10 +318,6 @@ struct Minimizer_numbers
   /// sweeps over flat or flipped triangles at most: a bound on the time
   static constexpr int MAXIMUM_REPAIR_SWEEPS = 48;
 
-  /// sweeps in a row that leave as many of these triangles as before, after which it ends. More: seconds for surfaces that
-  /// have no such map anyway.
-  static constexpr int REPAIR_SWEEPS_IN_VAIN = 8;
-
   /// sweeps after which one more ring of vertices round these triangles moves: what a ring has no room for needs the next
   static constexpr int REPAIR_SWEEPS_PER_RING = 4;
 };

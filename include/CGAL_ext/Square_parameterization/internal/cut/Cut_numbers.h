@@ -196,7 +196,7 @@ struct Cut_numbers
 
   /// how far the score of a cut may lie above the best, relative, for it to be judged by searched corners, which lower a score
   /// by 3 % at most. More: a tenth of a second for each cut, in vain.
-  double far_from_best = 0.04;
+  double far_from_best = 0.06;
 
   // --- carrying a cut over to a finer surface, and two cuts that tie ---
 

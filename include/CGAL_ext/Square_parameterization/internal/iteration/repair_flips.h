@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -52,17 +50,10 @@ public:
   /// returns whether all triangles are counter-clockwise, by exact arithmetic
   bool operator()()
   {
-    auto least = std::numeric_limits<std::ptrdiff_t>::max(); // bad triangles
-    int in_vain = 0;                                         // sweeps that have not lowered it
     for(int sweep = 0; sweep < Minimizer_numbers::MAXIMUM_REPAIR_SWEEPS; ++sweep) {
       const std::vector<int> vertices = vertices_near_bad_triangles(sweep / Minimizer_numbers::REPAIR_SWEEPS_PER_RING);
       if(vertices.empty())
         return true;
-      const auto number = std::count(m_is_bad.begin(), m_is_bad.end(), true);
-      in_vain = number < least ? 0 : in_vain + 1;
-      if(in_vain > Minimizer_numbers::REPAIR_SWEEPS_IN_VAIN)
-        break;
-      least = (std::min)(least, number);
       for(int v : vertices)
         if(!m_is_border[v]) {
           m_work += static_cast<long>(m_star[v].size());

@@ -21,10 +21,6 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// of the work that moves may cost in a search for the corners of one patch: here those of several cuts are searched. More:
-/// the cut of a surface of a thousand faces takes two tenths of a second more.
-constexpr double SHARE_OF_MOVING_WORK = 1. / 3;
-
 /// the candidates from the best to the worst, by rough maps: a few are mapped afresh, the others from the best of these
 inline std::vector<Corner_choice> ranked_candidates(const Patch& patch, Corner_moves& moves)
 {
@@ -50,7 +46,7 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
   if(!moves_corners)
     return best.corners;
   const bool is_square = rough_maps.best_map().aspect == 1;
-  most_work = SHARE_OF_MOVING_WORK * most_moving_work(is_square, patch.number_of_vertices());
+  most_work = most_judging_work(is_square, patch.number_of_vertices());
   starts.resize((std::min)(starts.size(), most_starts));
   if(!is_square)
     for(const Corner_choice& choice : moves.best_of_spread())

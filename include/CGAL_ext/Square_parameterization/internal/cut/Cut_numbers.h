@@ -141,10 +141,10 @@ struct Cut_numbers
   /// no map in the end; more: seconds of search in vain.
   long times_work_without_map = 5;
 
-  /// L2 stretch that the best cut leaves above which, up to `largest_refined_stretch`, growth on the last copy goes on for
-  /// `times_growth_work`, but for no more than `long_growth_work`, where that is twice the usual work. Of such surfaces
-  /// growth meets a much better cut now and then: L2 + 0.05 length of 15 of 394 random surfaces changed, and fell by 15 % in
-  /// the geometric mean. More work: surfaces of a thousand faces take more than a second.
+  /// L2 stretch that the best cut leaves above which growth on the last copy goes on for `times_growth_work`, but for no
+  /// more than `long_growth_work`, where that is twice the usual work. Of such surfaces growth meets a much better cut now
+  /// and then: L2 + 0.05 length of 15 of 394 random surfaces changed, and fell by 15 % in the geometric mean. More
+  /// work: surfaces of a thousand faces take more than a second.
   double large_stretch = 10;
   long times_growth_work = 5;
   long long_growth_work = 40000;
@@ -186,8 +186,8 @@ struct Cut_numbers
   /// 4000 faces. Less: needles are not cut across where that is wanted.
   long refinement_work_outside = 30000;
 
-  /// L2 stretch that a cut leaves, at most, for it to be refined, and for growth to go on for long; one that has no map is
-  /// not. More: a third of a second and more, nearly always in vain.
+  /// L2 stretch that a cut leaves, at most, for it to be refined; one that has no map is not. More: a third of a second,
+  /// nearly always in vain.
   double largest_refined_stretch = 1000;
 
   /// L2 stretch that a cut leaves, at most, for it to be judged by searched corners. More: where there are spikes, whose maps

@@ -245,9 +245,8 @@ private:
     Cut_pool pool = grown_pool(surface, starts);
     const long work = work_of_growth(surface),
                long_work = (std::min)(numbers().times_growth_work * work, numbers().long_growth_work);
-    const double stretch = pool.best(m_weight).score.stretch;
-    const bool is_large = stretch > numbers().large_stretch && stretch <= numbers().largest_refined_stretch;
-    if(is_large && !has_many_loops(surface, numbers()) && long_work >= 2 * work)
+    if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()) &&
+       long_work >= 2 * work)
       grow(pool, long_work);
     return pool;
   }

@@ -108,28 +108,25 @@ public:
   bool is_factored(std::size_t level) const { return m_minimizers[level]->is_factored(); }
 
   /// what the steps on the map that is delivered may cost, in vertices visited, where it is hopeless
-  long most_final_work() const
-  {
-    return final_work_of((std::max)(m_patches[0].number_of_vertices(), least_final_vertices()));
-  }
+  long most_final_work() const { return final_work_of((std::max)(number_of_vertices(), least_final_vertices())); }
 
   /// the same where much was spent before
   long least_final_work() const
   {
-    return final_work_of((std::max)(m_patches[0].number_of_vertices(), Minimizer_numbers::FINAL_VERTICES)) / 4;
+    return final_work_of((std::max)(number_of_vertices(), long(Minimizer_numbers::FINAL_VERTICES))) / 4;
   }
 
   /// the same where it is not hopeless
   long usual_final_work() const
   {
-    const long more = (std::max)(m_patches[0].number_of_vertices() - Minimizer_numbers::FINAL_VERTICES, 0);
+    const long more = (std::max)(number_of_vertices() - Minimizer_numbers::FINAL_VERTICES, 0L);
     return final_work_of(least_final_vertices()) + Minimizer_numbers::MOST_FINAL_SWEEPS_OF_MORE * more;
   }
 
   /// what a map may cost that is hopeless, in vertices visited, until few steps are spent on it
   long most_hopeless_work() const
   {
-    const long sweeps = Minimizer_numbers::MOST_HOPELESS_SWEEPS * long(m_patches[0].number_of_vertices());
+    const long sweeps = Minimizer_numbers::MOST_HOPELESS_SWEEPS * number_of_vertices();
     return (std::min)(most_final_work(), (std::max)(sweeps, Minimizer_numbers::LEAST_HOPELESS_WORK));
   }
 
@@ -147,15 +144,16 @@ public:
   }
 
 private:
-  static long final_work_of(int vertices) { return Minimizer_numbers::MOST_FINAL_SWEEPS * long(vertices); }
+  /// of the mesh itself
+  long number_of_vertices() const { return m_patches[0].number_of_vertices(); }
+
+  static long final_work_of(long vertices) { return Minimizer_numbers::MOST_FINAL_SWEEPS * vertices; }
 
   /// vertices that a mesh counts for, at least, where the steps on the map that is delivered are counted
-  int least_final_vertices() const
+  long least_final_vertices() const
   {
-    constexpr int LARGEST = Minimizer_numbers::FINAL_VERTICES;
-    return (std::clamp)(Minimizer_numbers::MOST_TIMES_FINAL_VERTICES *
-                            (std::min)(m_patches[0].number_of_vertices(), LARGEST),
-                        LARGEST / 4, LARGEST);
+    constexpr long LARGEST = Minimizer_numbers::FINAL_VERTICES;
+    return (std::clamp)(Minimizer_numbers::MOST_TIMES_FINAL_VERTICES * number_of_vertices(), LARGEST / 4, LARGEST);
   }
 
   /// makes the patches, from fine to coarse, starts from the coarsest, and minimizers

@@ -165,7 +165,7 @@ Outcome decide(std::vector<Model>& models, const Cut_numbers& numbers, unsigned 
   for(Model& model : models) {
     Cut_report report;
     const std::clock_t start = std::clock();
-    const std::vector<Decided_cut> cuts = Cut_decision(Seam_options(), team, report, numbers)(model.surface);
+    const std::vector<Decided_cut> cuts = search_cut(model.surface, Seam_options(), team, report, numbers);
     outcome.seconds += seconds_since(start);
     std::vector<std::pair<double, std::vector<int>>> measured;
     for(std::size_t i = 0; i < cuts.size(); ++i) {

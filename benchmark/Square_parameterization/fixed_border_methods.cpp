@@ -11,6 +11,8 @@
 
 #include "include/first_border_halfedge.h"
 
+#include "../../examples/Square_parameterization/include/compiled_reader.h"
+
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Quarter_brute_force_square_border_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Square_border_arc_length_parameterizer_3.h>
@@ -20,8 +22,6 @@
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 #include <CGAL_ext/Square_parameterization/split_chords.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
@@ -29,7 +29,6 @@
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <boost/program_options.hpp>
 

@@ -8,12 +8,10 @@
 //
 //   iteration_defaults build/data/meshes/lion-head.off build/data/meshes/nefertiti.off
 
+#include "../../examples/Square_parameterization/include/compiled_reader.h"
+
 #include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <filesystem>
 #include <iomanip>

@@ -8,7 +8,7 @@
 //
 //   subdivide build/data/meshes/lion-head.off 2 lion-head-2.off
 
-#include "../../examples/Square_parameterization/include/square_map/read_surface.h"
+#include "../../examples/Square_parameterization/include/square_map/read_soup.h"
 
 #include <CGAL_ext/Square_parameterization/internal/patch/number_edges.h>
 

@@ -3,8 +3,11 @@
 
 // Part of the library CGAL_ext_core (see internal/common/compiled_core.h): the minimizers, with all that maps flat arrays: weights, solvers, exact orientation.
 
+#include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/edge_weights_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers_impl.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer_impl.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_iteration_minimizer_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer_impl.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation_impl.h>

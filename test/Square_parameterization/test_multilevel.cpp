@@ -3,9 +3,11 @@
 
 #include "multilevel_cases.h"
 
+#include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/point_in_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/vertices_along_curve.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
 

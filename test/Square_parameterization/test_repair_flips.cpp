@@ -4,6 +4,8 @@
 #include "mapped_patches.h"
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/repair_flips.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 
 #include <catch2/catch.hpp>

@@ -136,7 +136,7 @@ TEST_CASE("of a surface that is too large for two maps the best cut alone is dec
   const auto cuts_with = [&](int largest) {
     Cut_numbers numbers;
     numbers.largest_mapped_twice = largest;
-    return Cut_decision(Seam_options(), team, report, numbers)(surface);
+    return search_cut(surface, Seam_options(), team, report, numbers);
   };
   const std::vector<Decided_cut> one = cuts_with(surface.number_of_faces() - 1);
   const std::vector<Decided_cut> two = cuts_with(surface.number_of_faces());

@@ -3,11 +3,12 @@
 # cmake -D BINARY_DIR=... -D PACKAGE_DIR=... -D SOURCE_DIR=... -D GENERATOR=... -P test_consumer.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
-# installs the package of a build folder, and builds and runs the user's project, which is told where the package is
+# installs the package of a build folder, and builds and runs the user's project, which is told where the package is;
+# compiled for one small map, and so without optimisation
 function(check_consumer build_folder folder)
   run(${CMAKE_COMMAND} --install ${build_folder} --prefix ${folder}/installed)
   run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${folder}/build -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
-      -D EXPECTED_PREFIX=${folder}/installed ${ARGN})
+      -D CMAKE_CXX_FLAGS_RELEASE=-DNDEBUG -D EXPECTED_PREFIX=${folder}/installed ${ARGN})
   run(${CMAKE_COMMAND} --build ${folder}/build)
   run(${folder}/build/consumer)
 endfunction()
@@ -16,14 +17,12 @@ set(folder ${BINARY_DIR}/consumer)
 file(REMOVE_RECURSE ${folder})
 check_consumer(${BINARY_DIR} ${folder}/as_is -D CMAKE_PREFIX_PATH=${folder}/as_is/installed)
 
-# the library alone takes nothing of what the tests and the command need; compiled for one small map, and so without
-# optimisation
+# the library alone takes nothing of what the tests and the command need
 set(not_needed "")
 foreach(package Catch2 nlohmann_json PNG tinyexr TinyGLTF OpenMesh Doxygen Python3)
   list(APPEND not_needed -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 run(${CMAKE_COMMAND} --preset install -S ${PACKAGE_DIR} -B ${folder}/package -G ${GENERATOR} ${not_needed}
-    -D CMAKE_CXX_FLAGS_RELEASE=-O0
     -D CMAKE_INSTALL_INCLUDEDIR=headers/of/packages -D CMAKE_INSTALL_LIBDIR=lib/other)
 run(${CMAKE_COMMAND} --build ${folder}/package)
 check_consumer(${folder}/package ${folder}/other_folders

@@ -11,7 +11,7 @@
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
 
 /// patches of several kinds
 inline std::vector<CGAL_ext::internal::Patch> patches()
@@ -35,7 +35,8 @@ inline CGAL_ext::internal::Uv_coordinates some_map(const CGAL_ext::internal::Pat
   return iteration.minimize(square_border(walk, corners).uv, 1, workspace).uv;
 }
 
-/// the energy by its definition: singular values of the 3D-to-uv map of each triangle, found by Eigen's SVD
+/// the energy by its definition: singular values s and t of the uv-to-3D map of each triangle, of which s^2 + t^2
+/// is the sum of the squares of its entries, and s t what it makes of the unit of area
 inline double energy_by_definition(const CGAL_ext::internal::Patch& patch, const CGAL_ext::internal::Uv_coordinates& uv,
                                    double balance)
 {
@@ -46,10 +47,9 @@ inline double energy_by_definition(const CGAL_ext::internal::Patch& patch, const
     Eigen::Matrix2d plane;
     plane << (uv.row(b) - uv.row(a)).transpose(), (uv.row(c) - uv.row(a)).transpose();
     const double area = surface.col(0).cross(surface.col(1)).norm() / 2;
-    // the Jacobian of the inverse map, plane to surface, has the inverse singular values
     const Eigen::Matrix<double, 3, 2> inverse = surface * plane.inverse();
-    const Eigen::Vector2d s = inverse.jacobiSvd().singularValues();
-    energy += area * (s.squaredNorm() + balance * s.cwiseInverse().squaredNorm());
+    const double sum_of_squares = inverse.squaredNorm(), product = inverse.col(0).cross(inverse.col(1)).norm();
+    energy += area * sum_of_squares * (1 + balance / (product * product)); // 1/s^2 + 1/t^2 = (s^2 + t^2) / (s t)^2
   }
   return energy;
 }

@@ -5,8 +5,10 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CUT_TO_DISK_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Complaint.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Disjoint_sets.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
 
 #include <algorithm>
@@ -103,7 +105,7 @@ CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> cuts_to_disk(const Triangle_su
   if(options.mode == Cut_mode::NONE)
     refuse_uncut(surface);
   if(options.mode == Cut_mode::BEST)
-    return Cut_decision(options, team, report)(surface);
+    return search_cut(surface, options, team, report);
   return {{shortest_cut(surface, team)}};
 }
 

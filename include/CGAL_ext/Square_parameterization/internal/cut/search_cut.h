@@ -5,314 +5,39 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_H
 
 #include <CGAL_ext/Square_parameterization/Cut_options.h>
+#include <CGAL_ext/Square_parameterization/Cut_report.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Decided_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/judge_cuts.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/refine_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <set>
-#include <utility>
 #include <vector>
-
-#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
 namespace internal {
 
 /// a copy of about \p faces triangles, and more when there are many handles and holes; nothing when the surface has
 /// hardly more, or cannot be simplified in time
-inline std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces,
-                                                       const Cut_numbers& numbers = {}, const Deadline& deadline = {})
-{
-  faces += numbers.faces_per_loop * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
-  const auto is_hardly_less = [&](int count) { return surface.number_of_faces() <= numbers.least_reduction * count; };
-  if(is_hardly_less(faces))
-    return std::nullopt;
-  std::optional<Triangle_surface> copy =
-      decimate_surface(surface, faces, numbers.very_fine, numbers.still_fine, deadline);
-  if(copy && is_hardly_less(copy->number_of_faces())) // the topology, or the shape, allows no less
-    copy.reset();
-  return copy;
-}
-
-constexpr double HEAVIEST_OF_FAMILY = 0.2;
-constexpr int FAMILY_WEIGHTS = 5; // each half of the one before
-
-/// indicates whether a weight lies outside those of the family
-inline bool is_outside_family(double weight)
-{
-  return weight > HEAVIEST_OF_FAMILY || weight < std::ldexp(HEAVIEST_OF_FAMILY, 1 - FAMILY_WEIGHTS);
-}
-
-/// the weights at which cuts are grown, the heaviest first: always the same, so that what is found does not depend on
-/// the weight wanted; and that, where it lies outside
-inline std::vector<double> weights_of_family(double wanted)
-{
-  std::vector<double> weights;
-  for(int i = 0; i < FAMILY_WEIGHTS; ++i)
-    weights.push_back(std::ldexp(HEAVIEST_OF_FAMILY, -i));
-  if(wanted > weights.front())
-    weights.insert(weights.begin(), wanted);
-  if(wanted < weights.back())
-    weights.push_back(wanted);
-  return weights;
-}
+std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces,
+                                                const Cut_numbers& numbers = {}, const Deadline& deadline = {});
 
 /// decides on a cut that leaves little stretch. A family of cuts of all lengths is grown on simple copies, for the same
 /// weights whatever weight is wanted; its best members are scored again on a finer copy. On a small surface the best of them
 /// at each of these weights is refined. Those that are best at some weight are judged by searched corners, and maps as near
 /// to their minima as the one that is delivered: the cut for one weight is then hardly worse than that for another. Where two
 /// all but tie, both are decided for, and their maps are to tell.
-class Cut_decision
-{
-public:
-  Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report, const Cut_numbers& numbers = {})
-    : m_weight(options.cut_weight),
-      m_scoring{options.balance, options.aspect, options.moves_corners, numbers, options.deadline},
-      m_max_cut_length(options.max_cut_length),
-      m_deadline(options.deadline),
-      m_progress(options.visitor),
-      m_team(team),
-      m_report(report),
-      m_history(options.cut_weight, report)
-  {}
-
-  /// for a surface of any size: large ones are decided on by a simplified copy. Returns the best cut, and then a second
-  /// one where it all but ties.
-  std::vector<Decided_cut> operator()(const Triangle_surface& surface)
-  {
-    m_progress.begin_part(SIMPLIFIED, 1);
-    std::vector<Decided_cut> cuts = decide_on_copy(surface);
-    m_progress.begin_part(1, 1);
-    return cuts;
-  }
-
-private:
-  // shares of the time of the whole decision that have passed when its parts end: medians of fifteen surfaces
-  static constexpr double SIMPLIFIED = 0.04, GROWN_ON_SIMPLER_COPIES = 0.42, GROWN = 0.78, REFINED = 0.82;
-
-  std::vector<Decided_cut> decide_on_copy(const Triangle_surface& surface)
-  {
-    const std::optional<Triangle_surface> copy =
-        simplified_copy(surface, numbers().decision_faces, numbers(), m_deadline);
-    if(has_passed(m_deadline))
-      return {{uncompared_cut(surface)}};
-    m_report.decision_faces = copy ? copy->triangles.size() : surface.triangles.size();
-    std::vector<Scored_cut> cuts = decide(copy ? *copy : surface);
-    // a surface that was judged itself has no ties, and two maps of a large one take long
-    if(!copy || surface.number_of_faces() > numbers().largest_mapped_twice)
-      cuts = {Scored_cut(best_of(cuts, m_weight))};
-    if(copy)
-      m_team(cuts.size(), [&](std::size_t i) { // its length is known then, its stretch is not
-        cuts[i].cut = lift_cut(*copy, cuts[i].cut, surface, numbers());
-        cuts[i].score.length = cuts[i].cut.length(surface) / std::sqrt(surface.area);
-      });
-    return best_two(std::move(cuts));
-  }
-
-  /// the best of the cuts, and the next one if it all but ties
-  std::vector<Decided_cut> best_two(std::vector<Scored_cut> cuts) const
-  {
-    std::stable_sort(cuts.begin(), cuts.end(), Is_better{m_weight});
-    const double most = (1 + numbers().tie) * cuts.front().score.at(m_weight);
-    std::vector<Decided_cut> result;
-    for(const Scored_cut& cut : cuts) {
-      const bool is_second = result.size() == 1 && cut.score.at(m_weight) <= most &&
-                             cut.cut.edges() != result.front().cut.edges(); // two may become one on the surface
-      if(result.empty() || is_second)
-        result.push_back({cut.cut, cut.score.at(m_weight), cut.score.stretch});
-    }
-    return result;
-  }
-
-  /// a cut that is found at once, or none when the surface is a disk
-  Cut uncompared_cut(const Triangle_surface& surface)
-  {
-    m_report.is_cancelled = true;
-    Cut cut(surface);
-    if(!surface.is_disk()) {
-      initial_cut(surface, 0, cut);
-      reroute_cut(surface, cut);
-    }
-    return cut;
-  }
-
-  const Cut_numbers& numbers() const { return m_scoring.numbers; }
-
-  /// \param tolerance of the good scores
-  Cut_pool make_pool(const Triangle_surface& surface, double tolerance)
-  {
-    Cut_score_options scoring = m_scoring;
-    scoring.numbers.score_tolerance = tolerance;
-    return {surface, scoring, m_max_cut_length, m_team, m_deadline, m_progress};
-  }
-
-  /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, the best of them
-  /// refined where that costs little, and the last few judged. Returns those that come near the best.
-  std::vector<Scored_cut> decide(const Triangle_surface& surface)
-  {
-    Cut_pool pool = pool_of_grown_cuts(surface);
-    const std::vector<double> weights = weights_of_family(m_weight);
-    long refinement_work = 0;
-    for(double weight : weights)
-      refinement_work += work_of_refinement(weight);
-    m_progress.begin_part(REFINED, double(refinement_work));
-    if(surface.is_disk()) // a cut that is not needed must pay
-      pool.start({Cut(surface)}, pool.work() + work_of_decision(surface));
-    for(double weight : weights) {
-      Scored_cut cut = pool.best(weight);
-      refine_cut(pool, weight, work_of_refinement(weight), cut, m_history);
-    }
-    std::vector<Scored_cut> judged = judged_cuts(pool, weights);
-    m_report.is_cancelled = has_passed(m_deadline);
-    for(const Scored_cut* cut : front_of(judged))
-      m_report.front.push_back({cut->score.length, cut->score.stretch});
-    const double near = (1 + numbers().near_best) * best_of(judged, m_weight).score.at(m_weight);
-    const auto is_far = [&](const Scored_cut& cut) { return !(cut.score.at(m_weight) <= near); };
-    judged.erase(std::remove_if(judged.begin(), judged.end(), is_far), judged.end());
-    return judged;
-  }
-
-  /// the cuts of the pool that are best at some weight of the family, judged by searched corners where that is worth its time
-  std::vector<Scored_cut> judged_cuts(const Cut_pool& pool, const std::vector<double>& weights)
-  {
-    std::vector<Scored_cut> cuts = pool.best_between(weights.front(), weights.back());
-    if(cuts.empty()) // none has a map
-      return {pool.best(m_weight)};
-    const bool has_choice =
-        cuts.size() > 1 && best_of(cuts, m_weight).score.stretch <= numbers().largest_judged_stretch;
-    if(has_choice && !has_passed(m_deadline)) {
-      m_progress.begin_part(1, double(cuts.size()));
-      judge_cuts(pool.surface(), m_weight, m_scoring, m_team, m_progress, cuts);
-    }
-    return cuts;
-  }
-
-  /// cuts that are grown on a simple copy, and of these good ones of different lengths, scored on the surface; on a small one
-  /// cuts are grown themselves. What was grown on still simpler copies competes there, for growth ends in one of many local
-  /// minima: copies that differ end in others.
-  Cut_pool pool_of_grown_cuts(const Triangle_surface& surface)
-  {
-    const std::optional<Triangle_surface> copy =
-        simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
-    const Triangle_surface& grown = copy ? *copy : surface;
-    m_growth_work_per_vertex = copy ? numbers().growth_work_per_vertex : numbers().growth_work_of_small;
-    std::vector<Cut> starts = rerouted_initial_cuts(grown, numbers(), m_team);
-    const int simpler_copies = copy ? numbers().simpler_copies : numbers().simpler_copies_of_small;
-    std::set<int> sizes{grown.number_of_faces()}; // handles may keep copies from getting simpler: each is grown on once
-    for(int i = 0; i < simpler_copies; ++i)
-      if(const auto simpler = simplified_copy(grown, faces_of_simpler_copy(i), numbers(), m_deadline);
-         simpler && sizes.insert(simpler->number_of_faces()).second) {
-        m_progress.begin_part(SIMPLIFIED + (GROWN_ON_SIMPLER_COPIES - SIMPLIFIED) * (i + 1) / simpler_copies,
-                              double(work_of_growth(*simpler)));
-        const std::vector<Cut> simple = grow_family(*simpler, rerouted_initial_cuts(*simpler, numbers(), m_team));
-        for(Cut& cut : lifted(*simpler, simple, grown))
-          starts.push_back(std::move(cut));
-      }
-    m_progress.begin_part(GROWN, double(work_of_growth(grown) + (copy ? work_of_decision(surface) : 0)));
-    Cut_pool pool_of_grown = grown_pool_for_long(grown, starts);
-    if(!copy)
-      return pool_of_grown;
-    Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
-    pool.start(lifted(grown, pool_of_grown.selection(m_weight), surface), work_of_decision(surface));
-    return pool;
-  }
-
-  /// between the simplest and the one that is grown on at last
-  int faces_of_simpler_copy(int i) const
-  {
-    const int simplest = numbers().simplest_growth_faces;
-    return simplest + i * (numbers().growth_faces - simplest) / (numbers().simpler_copies + 1);
-  }
-
-  /// cuts of different lengths, none of which need be good
-  std::vector<Cut> grow_family(const Triangle_surface& surface, const std::vector<Cut>& starts)
-  {
-    Cut_pool pool = grown_pool(surface, starts);
-    return pool.selection(m_weight);
-  }
-
-  /// all that are grown; where the best of them still leaves much stretch they grow for longer, on a surface so small that it may
-  /// be for twice as long at least
-  Cut_pool grown_pool_for_long(const Triangle_surface& surface, const std::vector<Cut>& starts)
-  {
-    Cut_pool pool = grown_pool(surface, starts);
-    const long work = work_of_growth(surface),
-               long_work = (std::min)(numbers().times_growth_work * work, numbers().long_growth_work);
-    if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()) &&
-       long_work >= 2 * work)
-      grow(pool, long_work);
-    return pool;
-  }
-
-  Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Cut>& starts)
-  {
-    Cut_pool pool = make_pool(surface, numbers().score_tolerance);
-    const long most_work = work_of_growth(surface);
-    pool.start(starts, (std::max)(most_work, m_growth_work_per_vertex * surface.number_of_vertices()));
-    grow(pool, most_work);
-    return pool;
-  }
-
-  /// at each weight growth goes on with the best cut met at all
-  /// \param most_work of the pool, in vertices mapped
-  void grow(Cut_pool& pool, long most_work)
-  {
-    const std::vector<double> weights = weights_of_family(m_weight);
-    for(std::size_t i = 0; i < weights.size(); ++i) {
-      const long done = pool.work();
-      Cut_growth(pool, weights[i], done + (most_work - done) / static_cast<long>(weights.size() - i), m_history)();
-    }
-  }
-
-  /// the cuts carried over to a finer surface
-  std::vector<Cut> lifted(const Triangle_surface& simple, std::vector<Cut> cuts, const Triangle_surface& surface)
-  {
-    m_team(cuts.size(), [&](std::size_t i) { cuts[i] = lift_cut(simple, cuts[i], surface, numbers()); });
-    return cuts;
-  }
-
-  /// what the scores of cuts that are carried over may cost, in vertices mapped
-  long work_of_decision(const Triangle_surface& surface) const
-  {
-    return numbers().decision_work_per_vertex * surface.number_of_vertices();
-  }
-
-  /// what it may cost to refine a cut for a weight, in vertices mapped
-  long work_of_refinement(double weight) const
-  {
-    return is_outside_family(weight) ? numbers().refinement_work_outside : numbers().refinement_work;
-  }
-
-  /// what growth may cost, in vertices mapped; it may end earlier
-  long work_of_growth(const Triangle_surface& surface) const
-  {
-    const long by_size =
-        (std::max)(numbers().least_growth_work, m_growth_work_per_vertex * surface.number_of_vertices());
-    return (std::min)(by_size,
-                      has_many_loops(surface, numbers()) ? numbers().little_growth_work : numbers().growth_work);
-  }
-
-  const double m_weight;
-  const Cut_score_options m_scoring;
-  const double m_max_cut_length;
-  const Deadline m_deadline;
-  Cut_progress m_progress;
-  Thread_team& m_team;
-  Cut_report& m_report;
-  Cut_history m_history;
-  long m_growth_work_per_vertex = 0; // vertices mapped
-};
+/// \param surface of any size: large ones are decided on by a simplified copy
+/// \return the best cut, and then a second one where it all but ties
+std::vector<Decided_cut> search_cut(const Triangle_surface& surface, const Seam_options& options, Thread_team& team,
+                                    Cut_report& report, const Cut_numbers& numbers = {});
 
 } // namespace internal
 } // namespace CGAL_ext
 
-#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/cut/search_cut_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_H

@@ -12,7 +12,6 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_steps.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Ordered_patch.h>
 
 #include <algorithm>
@@ -56,31 +55,13 @@ public:
   /// the same, with the patch divided already
   /// \param has_coarser for a large patch, of which coarser ones are minimised before: `set_coarser()` is to follow
   Balanced_minimizer(const Patch_division& division, bool has_coarser, const Patch& patch,
-                     const Balanced_minimization& options, const Deadline& deadline)
-    : m_patch(division, patch),
-      m_energy(*m_patch, options.balance, options.aspect, &m_patch.division()),
-      m_preconditioner(has_coarser ? Multigrid_preconditioner::of_large(*m_patch, m_patch.division())
-                                   : Multigrid_preconditioner(*m_patch, m_patch.division())),
-      m_sweep(*m_patch, m_patch.division(), options.balance),
-      m_options(options),
-      m_deadline(deadline)
-  {
-    m_patch.forget_edges(); // the matrices alone need them, while they are made
-  }
+                     const Balanced_minimization& options, const Deadline& deadline);
 
   Balanced_minimizer(const Balanced_minimizer&) = delete;
   Balanced_minimizer& operator=(const Balanced_minimizer&) = delete;
 
   /// tells a minimizer of a large patch of the next coarser one, and what minimises it
-  void set_coarser(const Coarse_patch& to_coarser, const Balanced_minimizer& coarser)
-  {
-    const std::vector<int>& order = m_patch.order();
-    std::vector<int> rank(order.size());
-    for(std::size_t i = 0; i < rank.size(); ++i)
-      rank[order[i]] = static_cast<int>(i);
-    m_preconditioner.set_coarser(Vertex_interpolation(m_patch.given(), to_coarser, rank, coarser.m_patch.order()),
-                                 coarser.m_preconditioner);
-  }
+  void set_coarser(const Coarse_patch& to_coarser, const Balanced_minimizer& coarser);
 
   /// indicates whether the faces and edges of the patch that was given are not needed any more: those of a large patch are
   /// kept in another order
@@ -98,21 +79,7 @@ public:
   /// sweeps over a map until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
   /// cost, in vertices visited.
   /// \param most the largest number of sweeps
-  long relax(Uv_coordinates& given_uv, int most = Minimizer_numbers::MAXIMUM_SWEEPS) const
-  {
-    Uv_coordinates uv = m_patch.in_order(std::move(given_uv));
-    const Free_coordinates is_free = free_coordinates(*m_patch, uv, is_border_sliding());
-    double energy = m_energy(uv);
-    int sweeps = 0;
-    for(bool gains = true; gains && sweeps < most; ++sweeps) {
-      m_sweep(is_free, m_energy.scale(uv), uv);
-      const double reached = m_energy(uv);
-      gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
-      energy = reached;
-    }
-    given_uv = m_patch.in_given_order(std::move(uv));
-    return static_cast<long>(sweeps) * given_uv.rows();
-  }
+  long relax(Uv_coordinates& given_uv, int most = Minimizer_numbers::MAXIMUM_SWEEPS) const;
 
   /// minimises, with the largest number of iterations of the options
   Minimized_map minimize(Minimized_map map, double tolerance, Workspace& workspace) const
@@ -124,72 +91,11 @@ public:
   ///        steps the last thirty less than 200 times as much
   /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
   ///      iterations and its history, too
-  Minimized_map minimize(Minimized_map map, double tolerance, const Limits& limits, Workspace& workspace) const
-  {
-    map.uv = m_patch.in_order(std::move(map.uv));
-    const Free_coordinates is_free = free_coordinates(*m_patch, map.uv, is_border_sliding());
-    Minimization_report& report = map.report;
-    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, report.iterations, workspace);
-    report.objective = steps.look_at(map.uv);
-    if(report.history.empty())
-      report.history.push_back(report.objective);
-    const unsigned int first_iteration = report.iterations;
-    while(true) {
-      if(report.iterations >= limits.iterations || work_of(report.iterations, steps.roundabouts()) > limits.work) {
-        report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
-        break;
-      }
-      if(has_passed(m_deadline)) {
-        report.stop_reason = Stop_reason::DEADLINE;
-        break;
-      }
-      if(!steps.refresh_factors(map.uv)) {
-        report.stop_reason = Stop_reason::CANNOT_SOLVE;
-        break;
-      }
-      const double slope = steps.find_direction();
-      if(-slope / 2 <= tolerance * report.objective || gains_little(report.history, tolerance)) {
-        report.stop_reason = Stop_reason::CONVERGED;
-        break;
-      }
-      if(report.iterations > first_iteration && stays_above(limits.energy, report.history, slope)) {
-        report.stop_reason = Stop_reason::CONVERGED;
-        report.objective = (std::max)(report.objective + slope / 2, limits.energy);
-        break;
-      }
-      if(steps.try_step(report.objective, slope, map.uv)) {
-        report.best_iteration = ++report.iterations;
-        report.objective = steps.take_step(map.uv);
-        report.history.push_back(report.objective);
-      } else if(!steps.start_afresh()) {
-        report.stop_reason = Stop_reason::NO_LOWER_MAP;
-        break;
-      }
-    }
-    const bool is_lost = report.objective > Minimizer_numbers::LOST_RESULT;
-    map.work += work_of(report.iterations - first_iteration, steps.roundabouts(),
-                        is_lost ? Minimizer_numbers::ROUNDABOUT_WORK_OF_LOST : 0);
-    report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
-    measure_stretch(map);
-    map.uv = m_patch.in_given_order(std::move(map.uv));
-    return map;
-  }
+  Minimized_map minimize(Minimized_map map, double tolerance, const Limits& limits, Workspace& workspace) const;
 
   /// sweeps over a minimised map a few times: what is left in tiny triangles counts for nothing in the energy, but may
   /// be the largest stretch of all
-  void settle(Minimized_map& map) const
-  {
-    map.uv = m_patch.in_order(std::move(map.uv));
-    const Free_coordinates is_free = free_coordinates(*m_patch, map.uv, is_border_sliding());
-    for(int i = 0; i < Minimizer_numbers::SETTLING_SWEEPS; ++i)
-      m_sweep(is_free, m_energy.scale(map.uv), map.uv);
-    Workspace workspace;
-    Balanced_steps steps(*m_patch, m_energy, m_preconditioner, m_sweep, is_free, map.report.iterations, workspace);
-    map.report.objective = map.report.history.back() = steps.look_at(map.uv);
-    map.report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
-    measure_stretch(map);
-    map.uv = m_patch.in_given_order(std::move(map.uv));
-  }
+  void settle(Minimized_map& map) const;
 
 private:
   // what follows has the vertices of the ordered patch
@@ -243,5 +149,9 @@ private:
 } // namespace CGAL_ext
 
 #include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_BALANCED_MINIMIZER_H

@@ -43,12 +43,6 @@ auto on_any_number_of_threads(const Compute& compute)
   return result;
 }
 
-Uv_coordinates border_of(const Patch& patch, int candidate)
-{
-  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-  return square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv;
-}
-
 } // namespace
 
 TEST_CASE("a division has every vertex and every triangle once, and no edge between two blocks or within a color")

@@ -20,6 +20,15 @@ inline std::vector<CGAL_ext::internal::Patch> patches()
           make_patch_of(long_strip(12))};
 }
 
+/// the border of a candidate
+inline CGAL_ext::internal::Uv_coordinates border_of(const CGAL_ext::internal::Patch& patch, int candidate)
+{
+  using namespace CGAL_ext;
+  using namespace CGAL_ext::internal;
+  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
+  return square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv;
+}
+
 /// a map without flips that is no minimum of anything: the one of uniform weights
 inline CGAL_ext::internal::Uv_coordinates some_map(const CGAL_ext::internal::Patch& patch, int candidate = 1)
 {
@@ -28,11 +37,8 @@ inline CGAL_ext::internal::Uv_coordinates some_map(const CGAL_ext::internal::Pat
   Stretch_minimization uniform;
   uniform.weights = Uniform_weights();
   uniform.maximum_iterations = 0;
-  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-  const Corners corners = corners_of_candidate(walk, candidate, Corner_rule::NEAREST);
   Stretch_iteration::Workspace workspace;
-  const Stretch_iteration iteration(patch, uniform);
-  return iteration.minimize(square_border(walk, corners).uv, 1, workspace).uv;
+  return Stretch_iteration(patch, uniform).minimize(border_of(patch, candidate), 1, workspace).uv;
 }
 
 /// the energy by its definition: singular values s and t of the uv-to-3D map of each triangle, of which s^2 + t^2

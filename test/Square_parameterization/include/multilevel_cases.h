@@ -17,15 +17,6 @@ inline CGAL_ext::internal::Stretch_iteration start_of(const CGAL_ext::internal::
   return {patch, start};
 }
 
-/// the border of a candidate
-inline CGAL_ext::internal::Uv_coordinates border_of(const CGAL_ext::internal::Patch& patch, int candidate)
-{
-  using namespace CGAL_ext;
-  using namespace CGAL_ext::internal;
-  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-  return square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv;
-}
-
 /// a disk without chords
 inline CGAL_ext::internal::Patch patch_without_chords(const Closed_mesh& disk)
 {

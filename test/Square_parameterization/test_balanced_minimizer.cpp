@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "energy_by_definition.h"
 #include "mapped_patches.h"
 
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>

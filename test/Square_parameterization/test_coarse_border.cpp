@@ -130,7 +130,7 @@ TEST_CASE("a vertex stands for each corner that a coarse border leaves out, and 
     const Coarse_patch coarse = Patch_coarsener(fine, 0.05, false)(fine.number_of_vertices() / 2);
     int removed_corners = 0;
     for(int candidate : {0, 1, 2, 3, 50, 77}) {
-      const Uv_coordinates border_uv = border_of(fine, candidate);
+      const Uv_coordinates border_uv = square_border_of(fine, candidate);
       const auto coarse_place = coarse_border(coarse, border_uv);
       REQUIRE(coarse_place);
       const auto& [coarse_uv, removed] = *coarse_place;
@@ -197,7 +197,7 @@ TEST_CASE("a coarse border leads to the minimum that the minimizer alone finds")
   Balanced_minimization options;
   options.search_tolerance = 1e-9;
   for(int candidate : {100, 333}) {
-    const Uv_coordinates border_uv = border_of(patch, candidate);
+    const Uv_coordinates border_uv = square_border_of(patch, candidate);
     Multilevel_minimizer::Workspace workspace;
     const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_uv, workspace);
     Balanced_minimizer::Workspace alone_workspace;

@@ -88,7 +88,7 @@ TEST_CASE("a score of a cut whose deadline has passed is that of a map that is l
 TEST_CASE("a minimization whose deadline has passed gives a one-to-one map, and one that is not yet the least")
 {
   const Patch patch = patch_without_chords(without_triangles(ellipsoid(4, 2), {0}));
-  const Uv_coordinates border = border_of(patch, 0);
+  const Uv_coordinates border = square_border_of(patch, 0);
   const std::vector<Minimization> minimizations{Balanced_minimization(), Stretch_minimization()};
   for(const Minimization& minimization : minimizations) {
     const auto in_time = make_minimizer(patch, minimization, in_seconds(3600)),

@@ -77,7 +77,7 @@ TEST_CASE("sparse and dense solutions agree for all weights and any factors")
     CAPTURE(weight_case.name);
     const Patch patch = make_patch_of(noisy_height_field(8));
     const Edge_weights weights = weight_case.weights(patch);
-    const Uv_coordinates border_uv = first_square_border(patch);
+    const Uv_coordinates border_uv = square_border_of(patch, 0);
     // one solver for all factors, as the iteration uses it
     const std::unique_ptr<Linear_solver> solver = make_direct_solver(weights.is_symmetric);
     std::vector<double> s(patch.points.size(), 1.);
@@ -92,7 +92,7 @@ TEST_CASE("sparse and dense solutions agree for all weights and any factors")
 TEST_CASE("symmetric weights have the same map with the general solver")
 {
   const Patch patch = make_patch_of(hemisphere());
-  const Uv_coordinates border_uv = first_square_border(patch);
+  const Uv_coordinates border_uv = square_border_of(patch, 0);
   const Edge_weights weights = Symmetric_mean_value_weights()(patch);
   Edge_weights general = weights;
   general.is_symmetric = false;
@@ -107,7 +107,7 @@ TEST_CASE("the matrix of symmetric weights is stored once, as an upper triangle"
   const Patch patch = make_patch_of(saddle(6));
   Convex_combination_system::Equations equations;
   const Convex_combination_system system(patch, Uniform_weights()(patch));
-  system.assemble(random_factors(patch, 6), first_square_border(patch), equations);
+  system.assemble(random_factors(patch, 6), square_border_of(patch, 0), equations);
   CHECK(system.is_symmetric());
   CHECK(equations.matrix.rows() == 5 * 5);
   CHECK(equations.matrix.isCompressed());
@@ -124,7 +124,7 @@ TEST_CASE("the map of uniform weights is that of a solution by hand")
   const Patch patch = make_patch_of(mesh);
   const auto solver = make_direct_solver(true);
   const Uv_coordinates uv =
-      sparse_map(patch, Uniform_weights()(patch), std::vector<double>(6, 1.), first_square_border(patch), *solver);
+      sparse_map(patch, Uniform_weights()(patch), std::vector<double>(6, 1.), square_border_of(patch, 0), *solver);
   CHECK(uv(4, 0) == Approx(4 / 7.).epsilon(1e-14));
   CHECK(uv(4, 1) == Approx(1 / 2.).epsilon(1e-14));
   CHECK(uv(5, 0) == Approx(6 / 7.).epsilon(1e-14));
@@ -139,7 +139,7 @@ TEST_CASE("elimination without pivots solves the systems of the iteration as Eig
   const auto solver = make_direct_solver(false);
   Convex_combination_system::Equations equations;
   for(unsigned int seed = 0; seed < 3; ++seed) {
-    system.assemble(random_factors(patch, seed), first_square_border(patch), equations);
+    system.assemble(random_factors(patch, seed), square_border_of(patch, 0), equations);
     Right_hand_sides solution;
     REQUIRE(solver->factorize(equations.matrix));
     REQUIRE(solver->solve(equations.right_hand_sides, solution));

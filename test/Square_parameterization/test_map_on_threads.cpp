@@ -217,7 +217,7 @@ TEST_CASE("the map of a large patch has the same bytes on any number of threads"
   minimization.aspect = GENERATE(std::optional<double>(1), std::optional<double>());
   const Uv_coordinates uv = on_any_number_of_threads([&] {
     const auto minimizer = make_minimizer(patch, minimization);
-    return minimizer->finish(minimizer->make_worker()(border_of(patch, 0), nullptr)).uv;
+    return minimizer->finish(minimizer->make_worker()(square_border_of(patch, 0), nullptr)).uv;
   });
   CHECK(uv.rows() == patch.number_of_vertices());
   CHECK(number_of_flipped_faces(patch.triangles, uv) == 0);

@@ -120,7 +120,7 @@ TEST_CASE("the multifrontal factorization solves the systems of patches, one aft
       std::vector<double> factors(patch.points.size(), 1.);
       Multifrontal_ldlt<double> ldlt;
       for(int repetition = 0; repetition < 3; ++repetition) {
-        system.assemble(factors, first_square_border(patch), equations);
+        system.assemble(factors, square_border_of(patch, 0), equations);
         if(repetition == 0)
           ldlt.analyzePattern(equations.matrix);
         check_factorization(equations.matrix, ldlt, random);
@@ -195,7 +195,7 @@ TEST_CASE("fronts hold the factor, children lie before their parents, and rows a
   for(const Patch& patch : patches_to_factor()) {
     const Convex_combination_system system(patch, Uniform_weights()(patch));
     Convex_combination_system::Equations equations;
-    system.assemble(std::vector<double>(patch.points.size(), 1.), first_square_border(patch), equations);
+    system.assemble(std::vector<double>(patch.points.size(), 1.), square_border_of(patch, 0), equations);
     const Elimination_fronts fronts(equations.matrix);
     const std::vector<std::set<int>> rows_of_column = dense_elimination(equations.matrix, fronts.places());
     const int columns = static_cast<int>(equations.matrix.cols());
@@ -239,7 +239,7 @@ TEST_CASE("parts of the fronts share neither rows nor numbers, and come before t
   for(const Patch& patch : patches_to_factor()) {
     const Convex_combination_system system(patch, Uniform_weights()(patch));
     Convex_combination_system::Equations equations;
-    system.assemble(std::vector<double>(patch.points.size(), 1.), first_square_border(patch), equations);
+    system.assemble(std::vector<double>(patch.points.size(), 1.), square_border_of(patch, 0), equations);
     const Elimination_fronts fronts(equations.matrix);
     divided += fronts.stages().size() > 3 ? 1 : 0;
     std::vector<int> part_of(fronts.fronts().size(), -1), stage_of;
@@ -308,7 +308,7 @@ TEST_CASE("the multifrontal factorization gives the same numbers for any number 
   std::vector<double> factors(patch.points.size());
   for(double& factor : factors)
     factor = random(0.5, 2);
-  system.assemble(factors, first_square_border(patch), equations);
+  system.assemble(factors, square_border_of(patch, 0), equations);
   Multifrontal_ldlt<double> alone;
   alone.analyzePattern(equations.matrix);
   alone.factorize(equations.matrix);

@@ -4,7 +4,6 @@
 #include "mapped_patches.h"
 #include "test_meshes.h"
 
-#include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/coarsening/Patch_sequence.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multigrid_preconditioner.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
@@ -32,10 +31,7 @@ struct Two_levels
       fine(Multigrid_preconditioner::of_large(patch, division))
   {
     fine.set_coarser(Vertex_interpolation(patch, patches.coarse(1), division.order(), coarse_division.order()), coarse);
-    const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-    uv = make_minimizer(patch, Balanced_minimization())
-             ->make_worker()(square_border(walk, corners_of_candidate(walk, 0, Corner_rule::NEAREST)).uv, nullptr)
-             .uv;
+    uv = make_minimizer(patch, Balanced_minimization())->make_worker()(square_border_of(patch, 0), nullptr).uv;
     Uv_coordinates coarse_uv(patches[1].number_of_vertices(), 2);
     for(int v = 0; v < patches[1].number_of_vertices(); ++v)
       coarse_uv.row(v) = uv.row(patches.coarse(1).fine_vertex[v]);

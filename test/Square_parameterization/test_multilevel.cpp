@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "energy_by_definition.h"
 #include "multilevel_cases.h"
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
@@ -126,7 +127,7 @@ TEST_CASE("vertices put back into any map without flips leave it without flips")
     const Coarse_patch coarse = Patch_coarsener(fine)(fine.number_of_vertices() / 3);
     Stretch_iteration::Workspace workspace;
     for(int candidate : {0, 1, 5}) {
-      const Uv_coordinates border = border_of(fine, candidate);
+      const Uv_coordinates border = square_border_of(fine, candidate);
       const Uv_coordinates coarse_uv = start_of(coarse.patch).minimize(border, 1, workspace).uv;
       REQUIRE(number_of_flipped_faces(coarse.patch.triangles, coarse_uv) == 0);
       const auto uv = insert_vertices(fine, coarse, coarse_uv, {}, 0.3);
@@ -214,10 +215,10 @@ TEST_CASE("coarse to fine ends where the minimizer alone ends")
       options.search_tolerance = options.tolerance = 1e-9;
       Multilevel_minimizer::Workspace workspace;
       const Multilevel_minimizer minimizer(patch, options);
-      const Minimized_map map = minimizer.finish(minimizer.minimize(border_of(patch, 2), workspace));
+      const Minimized_map map = minimizer.finish(minimizer.minimize(square_border_of(patch, 2), workspace));
       Stretch_iteration::Workspace iteration_workspace;
       Balanced_minimizer::Workspace alone_workspace;
-      Uv_coordinates start = start_of(patch).minimize(border_of(patch, 2), 1, iteration_workspace).uv;
+      Uv_coordinates start = start_of(patch).minimize(square_border_of(patch, 2), 1, iteration_workspace).uv;
       const Minimized_map alone =
           Balanced_minimizer(patch, options).minimize({std::move(start), {}, {}}, 1e-9, alone_workspace);
       CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
@@ -231,8 +232,9 @@ TEST_CASE("a workspace may be used for one border after the other, and the resul
   const Patch patch = make_patch_of(saddle(25));
   const Multilevel_minimizer minimizer(patch);
   Multilevel_minimizer::Workspace used, fresh;
-  minimizer.minimize(border_of(patch, 7), used);
-  CHECK(minimizer.minimize(border_of(patch, 3), used).uv == minimizer.minimize(border_of(patch, 3), fresh).uv);
+  minimizer.minimize(square_border_of(patch, 7), used);
+  CHECK(minimizer.minimize(square_border_of(patch, 3), used).uv ==
+        minimizer.minimize(square_border_of(patch, 3), fresh).uv);
 }
 
 TEST_CASE("a map carried over to its own border is itself, and to another border has no flips")
@@ -241,12 +243,12 @@ TEST_CASE("a map carried over to its own border is itself, and to another border
     const Uv_coordinates uv = some_map(patch);
     const Map_transport transport(patch);
     Map_transport::Workspace workspace;
-    CHECK((transport(uv, border_of(patch, 1), workspace) - uv).cwiseAbs().maxCoeff() < 1e-10);
-    const Uv_coordinates other = transport(uv, border_of(patch, 3), workspace);
+    CHECK((transport(uv, square_border_of(patch, 1), workspace) - uv).cwiseAbs().maxCoeff() < 1e-10);
+    const Uv_coordinates other = transport(uv, square_border_of(patch, 3), workspace);
     REQUIRE(other.rows() == uv.rows());
     CHECK(number_of_flipped_faces(patch.triangles, other) == 0);
     for(std::size_t k = 0; k < patch.border.size(); ++k)
-      CHECK(other.row(patch.border[k]) == border_of(patch, 3).row(k));
+      CHECK(other.row(patch.border[k]) == square_border_of(patch, 3).row(k));
   }
 }
 
@@ -254,8 +256,8 @@ TEST_CASE("a border of a map that is shifted to its own corners is itself, and t
 {
   for(const Patch& patch : patches()) {
     const Uv_coordinates uv = some_map(patch);
-    const Uv_coordinates own = shift_border(patch, uv, border_of(patch, 1));
-    const Uv_coordinates aim = border_of(patch, 3), other = shift_border(patch, uv, aim);
+    const Uv_coordinates own = shift_border(patch, uv, square_border_of(patch, 1));
+    const Uv_coordinates aim = square_border_of(patch, 3), other = shift_border(patch, uv, aim);
     const int n = static_cast<int>(patch.border.size());
     double way = 0;
     for(int k = 0; k < n; ++k) {
@@ -277,11 +279,11 @@ TEST_CASE("a warm start leads to the same minimum")
   options.search_tolerance = 1e-9;
   const Multilevel_minimizer minimizer(patch, options);
   Multilevel_minimizer::Workspace workspace;
-  const Minimized_map neighbor = minimizer.minimize(border_of(patch, 4), workspace);
+  const Minimized_map neighbor = minimizer.minimize(square_border_of(patch, 4), workspace);
   REQUIRE(neighbor.warm_start.rows() > 0);
   CHECK(neighbor.warm_start.rows() <= 1000);
-  const Minimized_map cold = minimizer.minimize(border_of(patch, 6), workspace);
-  const Minimized_map warm = minimizer.minimize(border_of(patch, 6), workspace, &neighbor.warm_start);
+  const Minimized_map cold = minimizer.minimize(square_border_of(patch, 6), workspace);
+  const Minimized_map warm = minimizer.minimize(square_border_of(patch, 6), workspace, &neighbor.warm_start);
   CHECK(warm.report.objective == Approx(cold.report.objective).epsilon(1e-6));
   CHECK(number_of_flipped_faces(patch.triangles, warm.uv) == 0);
 }
@@ -295,7 +297,7 @@ TEST_CASE("coarse to fine has no flips at any balance, however early it is stopp
         options.balance = balance;
         options.maximum_iterations = steps;
         Multilevel_minimizer::Workspace workspace;
-        const Minimized_map map = Multilevel_minimizer(patch, options).minimize(border_of(patch, 0), workspace);
+        const Minimized_map map = Multilevel_minimizer(patch, options).minimize(square_border_of(patch, 0), workspace);
         CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
       }
 }
@@ -308,7 +310,8 @@ TEST_CASE("a mesh whose Tutte map has triangles of area below 1e-12 is mapped wi
     tutte.weights = Uniform_weights();
     tutte.maximum_iterations = 0;
     Stretch_iteration::Workspace iteration_workspace;
-    const Minimized_map hard = Stretch_iteration(patch, tutte).minimize(border_of(patch, 0), 1, iteration_workspace);
+    const Minimized_map hard =
+        Stretch_iteration(patch, tutte).minimize(square_border_of(patch, 0), 1, iteration_workspace);
     double least_area = 1;
     for(const auto& t : patch.triangles)
       least_area = hard.uv.rows() > 0 ? (std::min)(least_area, twice_uv_area(hard.uv, t) / 2) : 0;
@@ -318,7 +321,7 @@ TEST_CASE("a mesh whose Tutte map has triangles of area below 1e-12 is mapped wi
     options.search_tolerance = options.tolerance = 1e-6;
     Multilevel_minimizer::Workspace workspace;
     const Multilevel_minimizer minimizer(patch, options);
-    const Minimized_map compared = minimizer.minimize(border_of(patch, 0), workspace);
+    const Minimized_map compared = minimizer.minimize(square_border_of(patch, 0), workspace);
     REQUIRE(compared.uv.rows() > 0);
     CHECK(compared.report.iterations <= Minimizer_numbers::SEARCH_ITERATIONS);
     const Minimized_map map = minimizer.finish(compared);
@@ -332,7 +335,7 @@ TEST_CASE("a patch with long teeth, whose first map is lost in rounding, is mapp
   for(unsigned int seed : {1, 2})
     for(bool is_sliding : {false, true}) {
       const Patch patch = patch_without_chords(comb(70, seed));
-      const Uv_coordinates border = border_of(patch, 0);
+      const Uv_coordinates border = square_border_of(patch, 0);
       Stretch_iteration::Workspace iteration_workspace;
       REQUIRE(start_of(patch).minimize(border, 1, iteration_workspace).uv.rows() == 0);
       Balanced_minimization options;
@@ -359,9 +362,9 @@ TEST_CASE("patches that are coarsened by eighths are four times as many, and lea
     CHECK(eighths[eighths.size() - 1].number_of_vertices() <= 4 + Minimizer_numbers::COARSEST);
 
     Multilevel_minimizer::Workspace workspace, gradual_workspace;
-    lost += Multilevel_minimizer(patch).minimize(border_of(patch, 0), workspace).uv.rows() == 0;
+    lost += Multilevel_minimizer(patch).minimize(square_border_of(patch, 0), workspace).uv.rows() == 0;
     const Minimized_map map = Multilevel_minimizer(patch, {}, true, {}, Coarsening::BY_EIGHTHS)
-                                  .minimize(border_of(patch, 0), gradual_workspace);
+                                  .minimize(square_border_of(patch, 0), gradual_workspace);
     REQUIRE(map.uv.rows() == patch.number_of_vertices());
     CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
     CHECK(map.report.objective == Approx(energy_by_definition(patch, map.uv, 0.3)).epsilon(1e-6));
@@ -389,7 +392,7 @@ TEST_CASE("what leads to no map counts as work")
   for(unsigned int seed : {1, 2, 3, 4}) {
     const Patch patch = make_patch_of(crumpled_tube(150, seed));
     const Minimized_map map =
-        make_minimizer(patch, Balanced_minimization())->make_worker()(border_of(patch, 0), nullptr);
+        make_minimizer(patch, Balanced_minimization())->make_worker()(square_border_of(patch, 0), nullptr);
     CHECK(map.work > 10L * patch.number_of_vertices());
     lost += map.uv.rows() == 0;
   }
@@ -399,7 +402,7 @@ TEST_CASE("what leads to no map counts as work")
 TEST_CASE("the other starts have a fixed order, and each leads to a map; the last three keep the border as it is")
 {
   const Patch patch = make_patch_of(noisy_height_field(30));
-  const Uv_coordinates border = border_of(patch, 0);
+  const Uv_coordinates border = square_border_of(patch, 0);
   std::vector<Map_start> sliding, fixed;
   for(const Other_start& start : other_starts(patch, {}, {})) {
     const Minimized_map map = start.make_minimizer()->make_worker()(border, nullptr);
@@ -428,7 +431,7 @@ TEST_CASE("a map that stays above a limit is left on its way, and finished by an
   options.search_tolerance = 0.1;
   options.tolerance = 1e-9;
   const auto minimizer = make_minimizer(patch, options);
-  const Minimized_map map = minimizer->make_worker()(border_of(patch, 0), nullptr);
+  const Minimized_map map = minimizer->make_worker()(square_border_of(patch, 0), nullptr);
   const Minimized_map finished = minimizer->finish(map);
   const double energy = finished.report.objective;
   REQUIRE(energy < 0.99 * map.report.objective);

@@ -40,7 +40,7 @@ Minimized_map minimize(const Patch& patch, const Edge_weights& weights, const Nu
 
 Minimized_map minimize(const Patch& patch, const Edge_weights& weights, const Numbers& numbers)
 {
-  return minimize(patch, weights, numbers, first_square_border(patch));
+  return minimize(patch, weights, numbers, square_border_of(patch, 0));
 }
 
 /// the first iterate of least stretch
@@ -133,7 +133,7 @@ TEST_CASE("the second system divides the weight of a neighbor by its stretch to 
   const double eta = GENERATE(0.3, 1.);
   const double exponent = (std::max)(eta, 0.7); // the first exponent is long
   const Patch patch = make_patch_of(noisy_height_field(7));
-  const Uv_coordinates border_uv = first_square_border(patch);
+  const Uv_coordinates border_uv = square_border_of(patch, 0);
   const Edge_weights weights = Mean_value_weights()(patch);
   const Minimized_map first = minimize(patch, weights, {eta, 1, 0}), second = minimize(patch, weights, {eta, 1, 1});
   REQUIRE(second.report.best_iteration == 1);
@@ -157,17 +157,13 @@ TEST_CASE("the second system divides the weight of a neighbor by its stretch to 
 TEST_CASE("a workspace may serve many borders in any order")
 {
   const Patch patch = make_patch_of(saddle(8));
-  const Border_walk walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE);
-  const auto border_of = [&](int candidate) {
-    return square_border(walk, corners_of_candidate(walk, candidate, Corner_rule::NEAREST)).uv;
-  };
   for(bool is_symmetric : {true, false}) {
     const Edge_weights weights = is_symmetric ? Blended_weights()(patch) : Mean_value_weights()(patch);
     const Stretch_iteration iteration(patch, minimization(weights, {}));
     Stretch_iteration::Workspace used;
-    iteration.minimize(border_of(5), 1, used);
-    const Minimized_map again = iteration.minimize(border_of(2), 1, used);
-    CHECK(again.uv == minimize(patch, weights, {}, border_of(2)).uv);
+    iteration.minimize(square_border_of(patch, 5), 1, used);
+    const Minimized_map again = iteration.minimize(square_border_of(patch, 2), 1, used);
+    CHECK(again.uv == minimize(patch, weights, {}, square_border_of(patch, 2)).uv);
   }
 }
 
@@ -193,7 +189,7 @@ TEST_CASE("a disk without interior vertices is mapped by its border alone")
     CAPTURE(weight_case.name);
     const Minimized_map map = minimize(patch, weight_case.weights(patch), {});
     REQUIRE(map.uv.rows() == 4);
-    CHECK(map.uv == first_square_border(patch));
+    CHECK(map.uv == square_border_of(patch, 0));
     CHECK(map.report.l2 == Approx(reference_stretch(patch.points, mesh.triangles, as_points(map.uv)).l2));
   }
 }
@@ -203,7 +199,7 @@ TEST_CASE("a map with a flat triangle is no map")
   // the chord between vertices 4 and 6 of the border comes to lie on the right side of the square
   const Flat_mesh mesh = rectangle(2, 2, 1, 1, 1, 0);
   const Patch patch = make_patch_of(mesh);
-  Uv_coordinates border_uv = first_square_border(patch);
+  Uv_coordinates border_uv = square_border_of(patch, 0);
   for(int k = 1; k < 8; ++k)
     border_uv(k, 0) = 1; // all of the border but its first vertex on one line
   const Minimized_map map = minimize(patch, Uniform_weights()(patch), {}, border_uv);

@@ -68,6 +68,17 @@ TEST_CASE("another start that leads to the same hopeless map is the last")
     try_other_starts(patch, corners, settings, best);
     CHECK(best.work > work);
   }
+  SECTION("one more start would cost too much")
+  {
+    best.map.report.objective *= 1.1;
+    const double most_work = most_work_of_starts(patch.number_of_vertices());
+    best.work = most_work - 1.5 * second.work;
+    const double work_of_two = best.work + second.work;
+    REQUIRE(work_of_two < most_work);
+    REQUIRE(1.5 * work_of_two > MOST_EXCESS_OF_STARTS * most_work);
+    try_other_starts(patch, corners, settings, best);
+    CHECK(best.work == work_of_two);
+  }
   SECTION("maps that are lost tell nothing")
   {
     Search_outcome lost = best;

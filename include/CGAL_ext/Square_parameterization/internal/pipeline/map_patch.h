@@ -67,9 +67,9 @@ inline bool do_agree(const Search_outcome& a, const Search_outcome& b)
          difference <= Minimizer_numbers::AGREEMENT_OF_STARTS * b.map.report.objective;
 }
 
-/// tries the other starts until one is not hopeless; when there is a map, until all have cost too much, but one in any
-/// case, or one agrees with the best. Where the first has a map and has cost too much, there are none. `finish_map()` is to
-/// follow.
+/// tries the other starts until one is not hopeless; when there is a map, until all have cost too much, or will with the
+/// next, but one in any case, or one agrees with the best. Where the first has a map and has cost too much, there are
+/// none. `finish_map()` is to follow.
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
 inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
@@ -82,15 +82,18 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
     return start;
   const Deadline& deadline = settings.search_options.deadline;
   const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
-  double work = best.work;
+  double work = best.work, work_with_next = work;
+  int starts = 1;
   bool is_cancelled = false, is_confirmed = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
-    const bool is_enough = has_map(best) && (is_confirmed || work > most_work);
+    const bool is_enough =
+        has_map(best) && (is_confirmed || work > most_work || work_with_next > MOST_EXCESS_OF_STARTS * most_work);
     if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;
     work += next.work;
+    work_with_next = work + work / ++starts;
     is_confirmed = do_agree(best, next);
     if(next.map.report.objective < best.map.report.objective) {
       best = std::move(next);

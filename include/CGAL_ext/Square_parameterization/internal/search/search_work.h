@@ -57,6 +57,11 @@ inline double most_work_of_starts(int number_of_vertices)
                     6e6 + MOST_WORK_OF_STARTS * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP));
 }
 
+/// times as much that they may cost with one start more, which costs about as much as each before. Less: surfaces are left
+/// with a map stretched ten times as much as that of the next start; more: polygons with thousands of spikes take more
+/// than two seconds, in vain.
+constexpr double MOST_EXCESS_OF_STARTS = 1.4;
+
 /// sweeps over a mesh of more than `MOST_VERTICES_OF_MAP` vertices that the candidates of the first start may cost for others
 /// to be tried, too: those of polygons with thousands of spikes cost 700 to 1300, and to make such a mesh coarse in
 /// small steps takes half a second before the first map

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,14 +28,15 @@ const fs::path PACKAGE = fs::path(INCLUDE_FOLDER) / "CGAL_ext/Square_parameteriz
 /// the name without `_impl`: the definitions of a header belong to it, and each of the two includes the other
 std::string without_impl(const std::string& header)
 {
-  static const std::regex impl("_impl\\.h$");
-  return std::regex_replace(header, impl, ".h");
+  const std::string impl = "_impl.h";
+  const std::size_t rest = header.size() - (std::min)(header.size(), impl.size());
+  return header.substr(rest) == impl ? header.substr(0, rest) + ".h" : header;
 }
 
 /// the headers of the package, as paths below its folder, each with those it includes
 std::map<std::string, std::vector<std::string>> includes_of_headers()
 {
-  const std::regex directive("#include <CGAL_ext/Square_parameterization/(.*)>");
+  const std::string directive = "#include <CGAL_ext/Square_parameterization/"; // and a name, and >
   std::map<std::string, std::vector<std::string>> includes;
   for(const auto& entry : fs::recursive_directory_iterator(PACKAGE)) {
     if(entry.path().extension() != ".h")
@@ -44,10 +44,13 @@ std::map<std::string, std::vector<std::string>> includes_of_headers()
     const std::string header = without_impl(entry.path().lexically_relative(PACKAGE).generic_string());
     std::vector<std::string>& included = includes[header];
     std::ifstream file(entry.path());
-    std::smatch match;
-    for(std::string line; std::getline(file, line);)
-      if(std::regex_match(line, match, directive) && without_impl(match[1]) != header)
-        included.push_back(without_impl(match[1]));
+    for(std::string line; std::getline(file, line);) {
+      if(line.rfind(directive, 0) != 0)
+        continue;
+      const std::string name = without_impl(line.substr(directive.size(), line.find('>') - directive.size()));
+      if(name != header)
+        included.push_back(name);
+    }
   }
   return includes;
 }
@@ -55,9 +58,10 @@ std::map<std::string, std::vector<std::string>> includes_of_headers()
 /// the room of a header; empty for a public one
 std::string room_of(const std::string& header)
 {
-  static const std::regex in_a_room("internal/([^/]*)/.*");
-  std::smatch match;
-  return std::regex_match(header, match, in_a_room) ? match[1].str() : "";
+  const std::string internal = "internal/";
+  return header.rfind(internal, 0) == 0
+             ? header.substr(internal.size(), header.find('/', internal.size()) - internal.size())
+             : "";
 }
 
 int floor_of(const std::string& room)

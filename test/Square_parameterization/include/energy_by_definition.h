@@ -21,8 +21,10 @@ inline double energy_by_definition(const CGAL_ext::internal::Patch& patch, const
     plane << (uv.row(b) - uv.row(a)).transpose(), (uv.row(c) - uv.row(a)).transpose();
     const double area = surface.col(0).cross(surface.col(1)).norm() / 2;
     // the Jacobian of the inverse map, plane to surface, has the inverse singular values
-    const Eigen::Matrix<double, 3, 2> inverse = surface * plane.inverse();
-    const Eigen::Vector2d s = inverse.jacobiSvd().singularValues();
+    Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero(); // square, with a third singular value of zero: no QR to compile
+    inverse.leftCols<2>() = surface * plane.inverse();
+    const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(inverse);
+    const Eigen::Vector2d s = svd.singularValues().head<2>();
     energy += area * (s.squaredNorm() + balance * s.cwiseInverse().squaredNorm());
   }
   return energy;

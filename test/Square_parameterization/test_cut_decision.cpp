@@ -530,3 +530,30 @@ TEST_CASE("a cut is refined unless it leaves too much stretch, or a score costs 
   CHECK_FALSE(is_refined(less_stretch, 6 * vertices));
   CHECK_FALSE(is_refined({}, vertices / 2));
 }
+
+TEST_CASE("cuts of a surface with many handles are not refined, unless the weight is an unusual one")
+{
+  struct Counter : Search_visitor
+  {
+    void cut_progress(double) override { ++scores; }
+    int scores = 0;
+  };
+  const Triangle_surface surface = surface_of(torus(12, 12));
+  REQUIRE(surface.genus() == 1);
+  Thread_team team(1);
+  const auto scores_with = [&](const Cut_numbers& numbers, double weight) {
+    Counter visitor;
+    Seam_options options;
+    options.cut_weight = weight;
+    options.visitor = &visitor;
+    Cut_report report;
+    search_cut(surface, options, team, report, numbers);
+    return visitor.scores;
+  };
+  Cut_numbers enough, too_many, too_many_outside;
+  enough.most_loops_refined = 2;
+  too_many.most_loops_refined = too_many_outside.most_loops_refined = 1;
+  too_many_outside.refinement_work_outside = 0;
+  CHECK(scores_with(enough, 0.05) > scores_with(too_many, 0.05));
+  CHECK(scores_with(too_many, 0.005) > scores_with(too_many_outside, 0.005));
+}

@@ -125,8 +125,6 @@ private:
   /// indicates whether the cut has changed at a vertex in this sweep or the one before
   bool is_recent(int v) const { return m_changed_in[v] >= m_sweep - 1; }
 
-  bool is_boundary(int e, const Cut& cut) const { return cut.contains(e) || m_surface.is_border_edge(e); }
-
   int& mark(int e, int v) { return m_marks[2 * e + (m_surface.edges[e][1] == v ? 1 : 0)]; }
 
   /// the halfedge of edge \p e that begins at \p v. \pre the edge is interior
@@ -141,7 +139,7 @@ private:
   int pass_sector(int h, const Cut& cut, std::vector<Exit>& exits) const
   {
     const int first = h, v = m_surface.origin(h);
-    while(!is_boundary(m_surface.edge_of_halfedge[h], cut)) {
+    while(m_surface.opposites[h] >= 0 && !cut.contains(m_surface.edge_of_halfedge[h])) {
       exits.push_back({m_surface.edge_of_halfedge[h], v});
       h = Triangle_surface::next(m_surface.opposites[h]);
       if(h == first)

@@ -28,7 +28,7 @@ namespace internal {
 CGAL_EXT_INLINE_FUNCTION std::optional<Triangle_surface>
 simplified_copy(const Triangle_surface& surface, int faces, const Cut_numbers& numbers, const Deadline& deadline)
 {
-  faces += numbers.faces_per_loop * (2 * surface.genus() + static_cast<int>(surface.border_loops.size()));
+  faces += numbers.faces_per_loop * number_of_loops(surface);
   const auto is_hardly_less = [&](int count) { return surface.number_of_faces() <= numbers.least_reduction * count; };
   if(is_hardly_less(faces))
     return std::nullopt;
@@ -161,7 +161,7 @@ private:
       pool.start({Cut(surface)}, pool.work() + work_of_decision(surface));
     for(double weight : weights) {
       Scored_cut cut = pool.best(weight);
-      refine_cut(pool, weight, work_of_refinement(weight), cut, m_history);
+      refine_cut(pool, weight, is_refined(surface, weight) ? work_of_refinement(weight) : 0, cut, m_history);
     }
     std::vector<Scored_cut> judged = judged_cuts(pool, weights);
     m_report.is_cancelled = has_passed(m_deadline);
@@ -282,6 +282,12 @@ private:
   long work_of_refinement(double weight) const
   {
     return is_outside_family(weight) ? numbers().refinement_work_outside : numbers().refinement_work;
+  }
+
+  /// indicates whether cuts are refined for a weight, which may cost too much nevertheless
+  bool is_refined(const Triangle_surface& surface, double weight) const
+  {
+    return is_outside_family(weight) || number_of_loops(surface) <= numbers().most_loops_refined;
   }
 
   /// what growth may cost, in vertices mapped; it may end earlier

@@ -4,6 +4,7 @@
 #ifndef FIGURES_DRAW_MAP_H
 #define FIGURES_DRAW_MAP_H
 
+#include "compiled_reader.h"
 #include "square_map/surface_view.h"
 
 #include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
@@ -14,7 +15,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <cmath>

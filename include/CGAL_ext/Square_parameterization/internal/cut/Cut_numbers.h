@@ -187,7 +187,7 @@ struct Cut_numbers
   long refinement_work_outside = 30000;
 
   /// holes, and twice the handles, of a surface whose cuts are refined for the weights of the family, at most. More: a fifth of
-  /// the time of surfaces of a thousand faces, for nothing in the mean; less: a few hundredths of a per cent.
+  /// the time of surfaces of a thousand faces, for nothing in the mean.
   int most_loops_refined = 7;
 
   /// L2 stretch that a cut leaves, at most, for it to be refined; one that has no map is not. More: a third of a second,

@@ -433,13 +433,18 @@ TEST_CASE("what is no disk is refused when it is not to be cut")
   CHECK(decide(surface_of(plane(4, 1)), options).cut.edges().empty());
 }
 
+namespace {
+
+struct Shares : Search_visitor
+{
+  void cut_progress(double share) override { shares.push_back(share); }
+  std::vector<double> shares;
+};
+
+} // namespace
+
 TEST_CASE("a visitor is told of the shares of the comparison of cuts that are done")
 {
-  struct Shares : Search_visitor
-  {
-    void cut_progress(double share) override { shares.push_back(share); }
-    std::vector<double> shares;
-  };
   for(unsigned int threads : {1u, 3u}) {
     Shares visitor;
     Seam_options options;
@@ -533,22 +538,17 @@ TEST_CASE("a cut is refined unless it leaves too much stretch, or a score costs 
 
 TEST_CASE("cuts of a surface with many handles are not refined, unless the weight is an unusual one")
 {
-  struct Counter : Search_visitor
-  {
-    void cut_progress(double) override { ++scores; }
-    int scores = 0;
-  };
   const Triangle_surface surface = surface_of(torus(12, 12));
   REQUIRE(surface.genus() == 1);
   Thread_team team(1);
   const auto scores_with = [&](const Cut_numbers& numbers, double weight) {
-    Counter visitor;
+    Shares visitor;
     Seam_options options;
     options.cut_weight = weight;
     options.visitor = &visitor;
     Cut_report report;
     search_cut(surface, options, team, report, numbers);
-    return visitor.scores;
+    return visitor.shares.size();
   };
   Cut_numbers enough, too_many, too_many_outside;
   enough.most_loops_refined = 2;

@@ -6,7 +6,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -29,9 +28,8 @@ const fs::path PACKAGE = fs::path(INCLUDE_FOLDER) / "CGAL_ext/Square_parameteriz
 /// the name without `_impl`: the definitions of a header belong to it, and each of the two includes the other
 std::string without_impl(const std::string& header)
 {
-  const std::string impl = "_impl.h";
-  const std::size_t rest = header.size() - (std::min)(header.size(), impl.size());
-  return header.substr(rest) == impl ? header.substr(0, rest) + ".h" : header;
+  const std::size_t impl = header.rfind("_impl.h");
+  return impl == std::string::npos ? header : header.substr(0, impl) + ".h";
 }
 
 /// the headers of the package, as paths below its folder, each with those it includes

@@ -155,13 +155,13 @@ private:
     const std::vector<double> weights = weights_of_family(m_weight);
     long refinement_work = 0;
     for(double weight : weights)
-      refinement_work += work_of_refinement(weight);
+      refinement_work += work_of_refinement(surface, weight);
     m_progress.begin_part(REFINED, double(refinement_work));
     if(surface.is_disk()) // a cut that is not needed must pay
       pool.start({Cut(surface)}, pool.work() + work_of_decision(surface));
     for(double weight : weights) {
       Scored_cut cut = pool.best(weight);
-      refine_cut(pool, weight, is_refined(surface, weight) ? work_of_refinement(weight) : 0, cut, m_history);
+      refine_cut(pool, weight, work_of_refinement(surface, weight), cut, m_history);
     }
     std::vector<Scored_cut> judged = judged_cuts(pool, weights);
     m_report.is_cancelled = has_passed(m_deadline);
@@ -279,15 +279,11 @@ private:
   }
 
   /// what it may cost to refine a cut for a weight, in vertices mapped
-  long work_of_refinement(double weight) const
+  long work_of_refinement(const Triangle_surface& surface, double weight) const
   {
-    return is_outside_family(weight) ? numbers().refinement_work_outside : numbers().refinement_work;
-  }
-
-  /// indicates whether cuts are refined for a weight, which may cost too much nevertheless
-  bool is_refined(const Triangle_surface& surface, double weight) const
-  {
-    return is_outside_family(weight) || number_of_loops(surface) <= numbers().most_loops_refined;
+    if(is_outside_family(weight))
+      return numbers().refinement_work_outside;
+    return number_of_loops(surface) <= numbers().most_loops_refined ? numbers().refinement_work : 0;
   }
 
   /// what growth may cost, in vertices mapped; it may end earlier

@@ -82,19 +82,17 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
     return start;
   const Deadline& deadline = settings.search_options.deadline;
   const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
-  double work = best.work, work_with_next = work;
+  double work = best.work;
   int starts = 1;
-  bool is_cancelled = false, is_confirmed = false;
+  bool is_cancelled = false, is_enough = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
-    const bool is_enough =
-        has_map(best) && (is_confirmed || work > most_work || work_with_next > MOST_EXCESS_OF_STARTS * most_work);
-    if(!is_hopeless(best) || is_enough || is_cancelled || has_passed(deadline))
+    if(!is_hopeless(best) || (has_map(best) && is_enough) || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;
     work += next.work;
-    work_with_next = work + work / ++starts;
-    is_confirmed = do_agree(best, next);
+    ++starts;
+    is_enough = do_agree(best, next) || work > most_work || work + work / starts > MOST_EXCESS_OF_STARTS * most_work;
     if(next.map.report.objective < best.map.report.objective) {
       best = std::move(next);
       start = other.start;

@@ -202,26 +202,48 @@ private:
   bool eliminate(const Elimination_front& front, std::vector<Number>& factors)
   {
     const int stride = front.stride();
-    for(int j = 0; j < front.width; j += TILE) {
-      const int width = (std::min)(TILE, front.width - j);
+    bool is_sound = true;
+    for(int j = 0; j < front.width && is_sound; j += TILE) {
       Number* const columns = m_factor.data() + front.values + std::size_t(j) * stride + j; // from their diagonal on
-      subtract_products(front, j, j, width, columns, stride, factors);
-      for(int k = 0; k < width; ++k) {
-        Number* const column = columns + std::size_t(k) * stride;
-        const Number pivot = column[k];
-        if(!is_pivot(pivot))
-          return false;
-        m_diagonal[front.first + j + k] = pivot;
-        const Number inverse = Number(1) / pivot;
-        for(int i = k + 1; i < front.height - j; ++i)
-          column[i] *= inverse;
-        for(int next = k + 1; next < width; ++next) {
-          Number* const other = columns + std::size_t(next) * stride;
-          const Number factor = column[next] * pivot;
-          for(int i = next; i < front.height - j; ++i)
-            other[i] -= column[i] * factor;
-        }
+      for_width(front.width - j, [&](auto width) {
+        subtract_products<width()>(front, j, j, columns, stride, factors);
+        is_sound = eliminate<width()>(columns, stride, front.height - j, m_diagonal.data() + front.first + j);
+      });
+    }
+    return is_sound;
+  }
+
+  /// eliminates columns of a front from which all before are subtracted
+  /// \param columns `WIDTH` columns, from the diagonal of the first on, of `height` rows
+  template <int WIDTH>
+  static bool eliminate(Number* columns, int stride, int height, Number* diagonal)
+  {
+    std::array<Number, WIDTH> inverses;
+    std::array<std::array<Number, WIDTH>, WIDTH> factors; // of a column, for those after it
+    for(int k = 0; k < WIDTH; ++k) {
+      const Number pivot = columns[k * stride + k];
+      if(!is_pivot(pivot))
+        return false;
+      diagonal[k] = pivot;
+      inverses[k] = Number(1) / pivot;
+      for(int i = k + 1; i < WIDTH; ++i) {
+        columns[k * stride + i] *= inverses[k];
+        factors[k][i] = columns[k * stride + i] * pivot;
+        for(int next = k + 1; next <= i; ++next)
+          columns[next * stride + i] -= columns[k * stride + i] * factors[k][next];
       }
+    }
+    for(int i = WIDTH; i < height; ++i) { // row by row: its entries are read and written once
+      std::array<Number, WIDTH> row;
+      for(int k = 0; k < WIDTH; ++k)
+        row[k] = columns[k * stride + i];
+      for(int k = 0; k < WIDTH; ++k) {
+        row[k] *= inverses[k];
+        for(int next = k + 1; next < WIDTH; ++next)
+          row[next] -= row[k] * factors[k][next];
+      }
+      for(int k = 0; k < WIDTH; ++k)
+        columns[k * stride + i] = row[k];
     }
     return true;
   }
@@ -249,13 +271,15 @@ private:
   void subtract_products(const Elimination_front& front, int pivots, int j, Number* x, int stride,
                          std::vector<Number>& factors)
   {
-    using Tile_column = Eigen::Array<Number, TILE, 1>;
+    // at once: of more the sums do not fit into the registers that all processors have
+    constexpr int ROWS = TILE * sizeof(double) / sizeof(Number);
+    using Tile_column = Eigen::Array<Number, ROWS, 1>;
     const Number* const l = m_factor.data() + front.values + j;
     factors.resize((std::max)(factors.size(), std::size_t(pivots) * WIDTH));
     for(int p = 0; p < pivots; ++p)
       for(int k = 0; k < WIDTH; ++k)
         factors[p * WIDTH + k] = m_diagonal[front.first + p] * l[std::size_t(p) * front.stride() + k];
-    for(int i = 0; i < front.height - j; i += TILE) {
+    for(int i = 0; i < front.height - j; i += ROWS) {
       Tile_column tile[WIDTH]; // stays in registers
       for(int k = 0; k < WIDTH; ++k)
         tile[k] = Eigen::Map<const Tile_column>(x + std::size_t(k) * stride + i);

@@ -5,10 +5,8 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_MAKE_DISK_PATCH_H
 
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Surface_arrays.h>
 
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -17,45 +15,20 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the border of a disk, counter-clockwise from \p start on. Throws `Unmappable` when that is not all of the border.
-inline std::vector<int> border_from(int start, const Surface_arrays& mesh, const Edge_numbering& numbering)
-{
-  std::vector<int> next(mesh.points.size(), -1);
-  std::size_t border_edges = 0;
-  for(std::size_t f = 0; f < mesh.triangles.size(); ++f)
-    for(int k = 0; k < 3; ++k)
-      if(numbering.number_of_triangles[numbering.triangle_edges[f][k]] == 1) {
-        next[mesh.triangles[f][(k + 1) % 3]] = mesh.triangles[f][(k + 2) % 3];
-        ++border_edges;
-      }
-  std::vector<int> border;
-  for(int v = start; v >= 0 && (border.empty() || v != start) && border.size() <= border_edges; v = next[v])
-    border.push_back(v);
-  if(border.size() != border_edges)
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
-                     "the surface has more than one border, or visits a vertex twice on its border");
-  return border;
-}
+std::vector<int> border_from(int start, const Surface_arrays& mesh, const Edge_numbering& numbering);
 
 /// makes a patch of one component of a mesh that is a disk; the border begins at vertex \p start.
 ///
 /// Throws `Unmappable` when the component is not a disk, and as `make_patch()`.
-inline Patch make_disk_patch(Surface_arrays mesh, int start)
-{
-  check_faces(mesh);
-  Edge_numbering numbering = number_edges(mesh.points.size(), mesh.triangles);
-  check_edges(mesh, numbering);
-  std::vector<int> border = border_from(start, mesh, numbering);
-  const long euler =
-      static_cast<long>(mesh.points.size() + mesh.triangles.size()) - static_cast<long>(numbering.edges.size());
-  if(euler != 1)
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
-                     "the surface has Euler characteristic " + std::to_string(euler) + ", not 1");
-  return make_patch(std::move(mesh.points), std::move(mesh.triangles), std::move(border), std::move(numbering));
-}
+Patch make_disk_patch(Surface_arrays mesh, int start);
 
 } // namespace internal
 } // namespace CGAL_ext
 
 #include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
+
+#ifndef CGAL_EXT_COMPILED_CORE
+#include <CGAL_ext/Square_parameterization/internal/surface/make_disk_patch_impl.h>
+#endif
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_MAKE_DISK_PATCH_H

@@ -1,4 +1,5 @@
-// A program of a user without CMake: headers of CGAL_ext, Eigen and CGAL, and exact numbers of the libraries that CGAL links.
+// Headers of CGAL_ext, Eigen and CGAL, and exact numbers of the libraries that CGAL links: compiled in a moment, with CMake and
+// without.
 #include <CGAL_ext/Square_parameterization/Grid_size.h>
 
 #include <CGAL/Gmpq.h>

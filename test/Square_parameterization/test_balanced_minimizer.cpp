@@ -176,6 +176,30 @@ TEST_CASE("the preconditioner inverts the blocks of the Hessian, with unit rows 
   }
 }
 
+TEST_CASE("the matrices of a map are factored with fewer coordinates that may move as those with so few")
+{
+  const Patch patch = make_patch_of(noisy_height_field(20));
+  const Balanced_energy energy(patch, 0.5);
+  Random_numbers random(6);
+  const Uv_coordinates uv = some_map(patch);
+  const Axis_preconditioner preconditioner(patch);
+  Axis_preconditioner::Factors fewer;
+  Free_coordinates is_free = free_coordinates(patch, uv, true);
+  REQUIRE(preconditioner.factorize(energy, uv, is_free, fewer));
+  for(int repetition = 0; repetition < 5; ++repetition) {
+    const Free_coordinates was_free = is_free;
+    for(int i = 0; i <= repetition; ++i)
+      is_free(random.below(patch.number_of_vertices()), random.below(2)) = false;
+    REQUIRE(preconditioner.factorize_fewer(was_free, is_free, fewer));
+    Axis_preconditioner::Factors afresh;
+    REQUIRE(preconditioner.factorize(energy, uv, is_free, afresh));
+    Uv_coordinates x = is_free.select(random_coordinates(uv.rows(), repetition), 0.), expected = x;
+    preconditioner.apply(fewer, x);
+    preconditioner.apply(afresh, expected);
+    CHECK(x == expected);
+  }
+}
+
 TEST_CASE("the secant memory maps the last change of the gradient to the last step, and keeps to its capacity")
 {
   // gradients of a quadratic with the diagonal Hessian D

@@ -190,6 +190,48 @@ TEST_CASE("a pivot that is zero or not finite ends the factorization, and the ne
   check_factorization(upper, ldlt, random);
 }
 
+TEST_CASE("a matrix in which some entries have changed is factored as if all had, also after a failure")
+{
+  Random_numbers random(9);
+  std::vector<Sparse_matrix> matrices;
+  for(const int n : {1, 5, 60, 300})
+    for(const double row_entries : {0., 3., 30.})
+      matrices.push_back(random_matrix(n, row_entries, true, random));
+  for(const int cells : {20, 90}) { // in one part, and in several
+    const Patch patch = make_patch_of(noisy_height_field(cells));
+    const Convex_combination_system system(patch, Uniform_weights()(patch));
+    Convex_combination_system::Equations equations;
+    system.assemble(std::vector<double>(patch.points.size(), 1.), square_border_of(patch, 0), equations);
+    matrices.push_back(equations.matrix);
+    CHECK(Elimination_fronts(equations.matrix).keeps_contributions() == (cells == 20));
+  }
+  for(Sparse_matrix& upper : matrices) {
+    CAPTURE(upper.rows(), upper.nonZeros());
+    const Right_hand_sides b = Right_hand_sides::NullaryExpr(upper.rows(), 2, [&] { return random(-1, 1); });
+    Multifrontal_ldlt<double> changing;
+    changing.analyzePattern(upper);
+    changing.factorize(upper);
+    const auto change = [&](int entry, double value) {
+      upper.valuePtr()[entry] = value;
+      changing.refactorize(upper, {entry});
+    };
+    for(int repetition = 0; repetition < 5; ++repetition) {
+      const int entry = random.below(static_cast<int>(upper.nonZeros()));
+      change(entry, random(0.9, 1.1) * upper.valuePtr()[entry]);
+      REQUIRE(changing.info() == Eigen::Success);
+      Multifrontal_ldlt<double> afresh;
+      afresh.analyzePattern(upper);
+      afresh.factorize(upper);
+      CHECK(changing.solve(b) == afresh.solve(b));
+      const double value = upper.valuePtr()[0]; // that of the first row on the diagonal
+      change(0, std::numeric_limits<double>::infinity());
+      CHECK(changing.info() == Eigen::NumericalIssue);
+      change(0, value);
+      CHECK(changing.solve(b) == afresh.solve(b));
+    }
+  }
+}
+
 TEST_CASE("fronts hold the factor, children lie before their parents, and rows are found in the parent")
 {
   for(const Patch& patch : patches_to_factor()) {

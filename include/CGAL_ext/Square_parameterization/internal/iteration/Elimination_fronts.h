@@ -56,6 +56,7 @@ public:
   const std::vector<Elimination_front>& fronts() const { return m_fronts; } ///< children before their parents
   const std::vector<int>& places() const { return m_places; }               ///< of the columns in the reordered matrix
   const std::vector<Entry>& entries() const { return m_entries; }           ///< of the matrix, front by front
+  const std::vector<int>& front_of_entry() const { return m_front_of_entry; } ///< per entry, as the matrix stores them
 
   /// the parts, those of a stage one after the other
   const std::vector<Front_part>& parts() const { return m_parts; }
@@ -74,6 +75,9 @@ public:
 
   std::size_t factor_size() const { return m_factor_size; }       ///< numbers, of all fronts
   std::size_t workspace_size() const { return m_workspace_size; } ///< numbers that hold the contributions
+
+  /// indicates whether each contribution has a place of its own: where one thread does all, and there are few
+  bool keeps_contributions() const { return m_parts.size() == 1; }
 
 private:
   /// makes the fronts, each after all fronts below it, which come together, and numbers the columns in their order
@@ -155,6 +159,7 @@ private:
   {
     const std::vector<Lower_entry> entries = lower_entries(upper);
     std::vector<int> number_of_row(upper.cols(), -1), used_in(upper.cols(), -1);
+    m_front_of_entry.resize(entries.size());
     for(std::size_t f = 0; f < m_fronts.size(); ++f) {
       Elimination_front& front = m_fronts[f];
       front.rows = m_rows.size();
@@ -172,9 +177,11 @@ private:
       front.height = static_cast<int>(m_rows.size() - front.rows);
       for(int i = 0; i < front.height; ++i)
         number_of_row[m_rows[front.rows + i]] = i;
-      for(int e = front.first_entry; e < front.end_entry; ++e)
-        m_entries.push_back(
-            {entries[e].number, (entries[e].column - front.first) * front.stride() + number_of_row[entries[e].row]});
+      for(int e = front.first_entry; e < front.end_entry; ++e) {
+        const auto& [row, column, number] = entries[e];
+        m_entries.push_back({number, (column - front.first) * front.stride() + number_of_row[row]});
+        m_front_of_entry[number] = static_cast<int>(f);
+      }
       for_rows_of_children(front, [&](std::size_t i) { m_rows_in_parent[i] = number_of_row[m_rows[i]]; });
     }
   }
@@ -201,10 +208,17 @@ private:
     }
   }
 
-  /// lays the contributions of each part on two stacks of its own, of fronts of odd and of even depth: a front takes those
-  /// of its children from the one, and puts its own on the other
+  /// lays the contributions one after the other, where they are kept; else those of each part on two stacks of its own, of
+  /// fronts of odd and of even depth: a front takes those of its children from the one, and puts its own on the other
   void place_contributions(const std::vector<int>& part_of)
   {
+    if(keeps_contributions()) {
+      for(Elimination_front& front : m_fronts) {
+        front.contribution = m_workspace_size;
+        m_workspace_size += front.contribution_size();
+      }
+      return;
+    }
     std::vector<int> stack_of(m_fronts.size(), 0);
     for(std::size_t f = m_fronts.size(); f-- > 0;)
       if(m_fronts[f].parent >= 0)
@@ -272,6 +286,7 @@ private:
   std::vector<Front_part> m_parts;
   std::vector<int> m_stages, m_originals;
   std::vector<Entry> m_entries;
+  std::vector<int> m_front_of_entry;
   std::size_t m_factor_size = 0, m_workspace_size = 0;
 };
 

@@ -47,20 +47,23 @@ public:
 
   /// computes the factor; fails when a pivot is zero or not finite
   /// \pre `analyzePattern()` was called with a matrix of the same pattern
-  void factorize(const Matrix& upper)
+  void factorize(const Matrix& upper) { factorize(upper, std::vector<char>(m_fronts->fronts().size(), true)); }
+
+  /// computes the factor of a matrix that differs from the last one in a few entries: the same numbers as by `factorize()`.
+  /// Where there is no work for several threads, the fronts stay as they are below which nothing has changed: of a small
+  /// mesh with one change that is half of the work.
+  /// \param changed the numbers of these entries, as the matrix stores them, in any order
+  void refactorize(const Matrix& upper, const std::vector<int>& changed)
   {
-    m_info = Eigen::NumericalIssue;
-    m_factor.resize(m_fronts->factor_size());
-    m_workspace.resize(m_fronts->workspace_size());
-    m_diagonal.resize(upper.cols());
-    std::atomic<bool> is_sound = true;
-    for(std::size_t stage = 0; stage < number_of_stages() && is_sound; ++stage)
-      for_parts(stage, [&](const Front_part& part) {
-        if(!factorize_part(part, upper.valuePtr()))
-          is_sound = false;
-      });
-    m_workspace = std::vector<Number>(); // `= {}` would keep the memory
-    m_info = is_sound ? Eigen::Success : Eigen::NumericalIssue;
+    if(m_info != Eigen::Success || !m_fronts->keeps_contributions())
+      return factorize(upper);
+    std::vector<char> is_changed(m_fronts->fronts().size(), false);
+    for(int entry : changed)
+      is_changed[m_fronts->front_of_entry()[entry]] = true;
+    for(std::size_t f = 0; f < is_changed.size(); ++f)
+      if(const int parent = m_fronts->fronts()[f].parent; is_changed[f] && parent >= 0)
+        is_changed[parent] = true;
+    factorize(upper, is_changed);
   }
 
   /// indicates whether the last `factorize()` succeeded
@@ -103,10 +106,30 @@ private:
                            [&](std::size_t i) { work(m_fronts->parts()[first + i]); });
   }
 
-  bool factorize_part(const Front_part& part, const Number* values)
+  /// \param is_changed per front, whether anything that it is made of has changed
+  void factorize(const Matrix& upper, const std::vector<char>& is_changed)
+  {
+    m_info = Eigen::NumericalIssue;
+    m_factor.resize(m_fronts->factor_size());
+    m_workspace.resize(m_fronts->workspace_size());
+    m_diagonal.resize(upper.cols());
+    std::atomic<bool> is_sound = true;
+    for(std::size_t stage = 0; stage < number_of_stages() && is_sound; ++stage)
+      for_parts(stage, [&](const Front_part& part) {
+        if(!factorize_part(part, upper.valuePtr(), is_changed))
+          is_sound = false;
+      });
+    if(!m_fronts->keeps_contributions())
+      m_workspace = std::vector<Number>(); // `= {}` would keep the memory
+    m_info = is_sound ? Eigen::Success : Eigen::NumericalIssue;
+  }
+
+  bool factorize_part(const Front_part& part, const Number* values, const std::vector<char>& is_changed)
   {
     std::vector<Number> factors; // of the products that are subtracted
     for(int f : part.fronts) {
+      if(!is_changed[f])
+        continue;
       const Elimination_front& front = m_fronts->fronts()[f];
       assemble(front, values);
       if(!eliminate(front, factors))

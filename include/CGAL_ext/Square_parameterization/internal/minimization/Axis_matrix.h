@@ -109,6 +109,35 @@ public:
     });
   }
 
+  /// gives unit rows to the coordinates that may not move any more, in a matrix that was set or fixed
+  /// \param changed is set to the numbers of the entries that this concerns, as the matrix stores them; some come twice
+  void fix_more(const Free_coordinates& was_free, const Free_coordinates& is_free, Matrix& matrix,
+                std::vector<int>& changed) const
+  {
+    Number_per_axis* const values = matrix.valuePtr();
+    changed.clear();
+    const auto set = [&](int entry, int axis, double value) {
+      values[entry][axis] = value;
+      changed.push_back(entry);
+    };
+    const auto stops = [&](int v, int axis) { return was_free(v, axis) && !is_free(v, axis); };
+    std::vector<char> is_stopped(m_rank.size());
+    for(int v = 0; v < static_cast<int>(is_stopped.size()); ++v)
+      is_stopped[v] = stops(v, 0) || stops(v, 1);
+    for(int f = 0; f < m_patch.number_of_faces(); ++f) {
+      const auto& t = m_patch.triangles[f];
+      if(!(is_stopped[t[0]] || is_stopped[t[1]] || is_stopped[t[2]]))
+        continue;
+      for(int k = 0; k < 3; ++k)
+        for(int axis = 0; axis < 2; ++axis)
+          if(stops(t[k], axis)) {
+            set(m_diagonal[t[k]], axis, 1);
+            set(m_sides[f][k], axis, 0);
+            set(m_sides[f][(k + 2) % 3], axis, 0);
+          }
+    }
+  }
+
 private:
   const Patch& m_patch;
   std::vector<int> m_rank;     // #V: the row of each vertex

@@ -23,6 +23,7 @@ public:
     Axis_matrix::Matrix matrix;
     Multifrontal_ldlt<Number_per_axis> of_axes;
     Axis_matrix::Vector right_hand_side, solution;
+    std::vector<int> changed; // entries of the matrix
   };
 
   /// \param division see `Axis_matrix`
@@ -39,14 +40,16 @@ public:
       factors.of_axes.analyzePattern(factors.matrix);
     }
     m_matrix.set(energy, uv, is_free, factors.matrix);
-    return factorize(factors);
+    factors.of_axes.factorize(factors.matrix);
+    return factors.of_axes.info() == Eigen::Success;
   }
 
   /// factors the two matrices of the last call with fewer coordinates that may move; false when one is singular
-  bool factorize_fewer(const Free_coordinates& is_free, Factors& factors) const
+  bool factorize_fewer(const Free_coordinates& was_free, const Free_coordinates& is_free, Factors& factors) const
   {
-    m_matrix.fix(is_free, factors.matrix);
-    return factorize(factors);
+    m_matrix.fix_more(was_free, is_free, factors.matrix, factors.changed);
+    factors.of_axes.refactorize(factors.matrix, factors.changed);
+    return factors.of_axes.info() == Eigen::Success;
   }
 
   /// replaces \p x, which is zero where coordinates may not move, by the solution of both systems
@@ -62,12 +65,6 @@ public:
   }
 
 private:
-  static bool factorize(Factors& factors)
-  {
-    factors.of_axes.factorize(factors.matrix);
-    return factors.of_axes.info() == Eigen::Success;
-  }
-
   Axis_matrix m_matrix;
 };
 

@@ -78,13 +78,13 @@ public:
   /// takes the matrices of the last call with fewer coordinates that may move; false when they are singular
   bool factorize_fewer(const Free_coordinates& is_free, Memory& memory) const
   {
-    memory.is_free = is_free;
     if(m_direct) {
-      memory.is_set = m_direct->factorize_fewer(is_free, *memory.factors);
+      memory.is_set = m_direct->factorize_fewer(memory.is_free, is_free, *memory.factors);
     } else {
       m_matrix->fix(is_free, memory.matrix);
       memory.is_set = Matrix_sweep::has_positive_diagonal(memory.matrix);
     }
+    memory.is_free = is_free;
     return memory.is_set;
   }
 

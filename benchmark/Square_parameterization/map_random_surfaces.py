@@ -7,7 +7,7 @@ The surfaces are those of the fuzzer, which build/bin/random_surfaces writes; th
 run is wrong when it crashes or hangs, exits with a status that is not documented, gives a map that is not one-to-one or
 has another stretch than the report says, leaves a file that it should not, or one is missing. With default settings and
 one thread it has a limit of processor time, too: 2 seconds for a disk and 5 for another surface of at most 10000 faces,
-1 for another one of at most 1000. Where there is no map a surface with a border counts as a disk.
+1 for another one of at most 1000.
 
 One line a surface that is wrong, has no map (exit status 5), or takes longer; a table at the end. Exits 1 when one was
 wrong. A seed gives the same surface and options.
@@ -144,17 +144,35 @@ def check_map(other_checker, path, l2):
     return problems
 
 
-def is_closed(faces):
-    """whether each side of a face is a side of another one, too"""
-    sides = collections.Counter(frozenset((face[k - 1], face[k])) for face in faces for k in range(len(face)))
-    return min(sides.values()) > 1
+def largest_component(faces):
+    """the faces of the component that has most; components share no vertex"""
+    parent = {}
+
+    def root(vertex):
+        while parent.setdefault(vertex, vertex) != vertex:
+            parent[vertex] = vertex = parent[parent[vertex]]
+        return vertex
+
+    for face in faces:
+        for vertex in face:
+            parent[root(vertex)] = root(face[0])
+    components = collections.defaultdict(list)
+    for face in faces:
+        components[root(face[0])].append(face)
+    return max(components.values(), key=len)
+
+
+def is_disk(faces):
+    """whether a component has the Euler characteristic of a disk"""
+    sides = {frozenset((face[k - 1], face[k])) for face in faces for k in range(len(face))}
+    return len({vertex for face in faces for vertex in face}) - len(sides) + len(faces) == 1
 
 
 def limit_of(report, surface):
     """seconds of processor time for a surface with default settings; the report is None where there is no map"""
     if report is None:
-        faces = read_faces(surface)[1]
-        return 2 if not is_closed(faces) else 1 if len(faces) <= 1000 else 5
+        faces = largest_component(read_faces(surface)[1])
+        return 2 if is_disk(faces) else 1 if len(faces) <= 1000 else 5
     conditioned = report['conditioned']
     faces = conditioned['faces'] - 2 * conditioned['chords_split'] - conditioned['border_edges_split']
     if faces > 10000:

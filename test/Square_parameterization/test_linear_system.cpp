@@ -88,6 +88,22 @@ TEST_CASE("sparse and dense solutions agree for all weights and any factors")
   }
 }
 
+TEST_CASE("right hand sides alone are those of the equations for factors of one")
+{
+  for(const Weight_case& weight_case : all_weights())
+    for(const Patch& patch : {make_patch_of(saddle(6)), make_patch_of(noisy_height_field(6))}) {
+      CAPTURE(weight_case.name, patch.number_of_vertices());
+      const Convex_combination_system system(patch, weight_case.weights(patch));
+      const Uv_coordinates border_uv = square_border_of(patch, 0);
+      Convex_combination_system::Equations equations;
+      system.assemble(std::vector<double>(patch.points.size(), 1.), border_uv, equations);
+      Right_hand_sides alone;
+      system.assemble(border_uv, alone);
+      CHECK(alone == equations.right_hand_sides);
+      CHECK(alone.cwiseAbs().maxCoeff() > 0);
+    }
+}
+
 TEST_CASE("symmetric weights have the same map with the general solver")
 {
   const Patch patch = make_patch_of(hemisphere());

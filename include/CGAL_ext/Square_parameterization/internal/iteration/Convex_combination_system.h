@@ -65,6 +65,19 @@ public:
     }
   }
 
+  /// writes the right hand sides alone, for factors of one
+  void assemble(const Uv_coordinates& border_uv, Right_hand_sides& right_hand_sides) const
+  {
+    right_hand_sides.setZero(m_pattern.rows(), 2);
+    for(std::size_t e = 0; e < m_patch.edges.size(); ++e) {
+      const auto& [a, b] = m_patch.edges[e];
+      if(m_row[a] >= 0 && m_row[b] < 0)
+        right_hand_sides.row(m_row[a]) += m_weights.values[e][0] * border_uv.row(m_border_position[b]);
+      else if(m_row[b] >= 0 && m_row[a] < 0)
+        right_hand_sides.row(m_row[b]) += m_weights.values[e][1] * border_uv.row(m_border_position[a]);
+    }
+  }
+
   /// the map (#V by 2) made of the interior \p solution and the border \p border_uv (#B by 2)
   void compose(const Right_hand_sides& solution, const Uv_coordinates& border_uv, Uv_coordinates& uv) const
   {

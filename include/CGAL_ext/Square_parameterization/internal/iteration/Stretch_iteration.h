@@ -73,9 +73,9 @@ private:
 
   static bool solve(const Linear_solver& solver, Workspace& workspace)
   {
-    workspace.solution.resize(workspace.equations.matrix.rows(), 2);
-    return workspace.equations.matrix.rows() == 0 ||
-           solver.solve(workspace.equations.right_hand_sides, workspace.solution);
+    const Right_hand_sides& b = workspace.equations.right_hand_sides;
+    workspace.solution.resize(b.rows(), 2);
+    return b.rows() == 0 || solver.solve(b, workspace.solution);
   }
 
   const Patch& m_patch;

@@ -43,7 +43,7 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Stretch_iteration::minimize(const Uv_coor
     return best;
   }
   workspace.factors.assign(m_patch.points.size(), 1.);
-  m_system.assemble(workspace.factors, border_uv, workspace.equations);
+  m_system.assemble(border_uv, workspace.equations.right_hand_sides);
   bool is_solved = solve(*m_first_solver, workspace);
   unsigned int failures = 0;
   while(true) {

@@ -24,7 +24,8 @@ inline double energy_by_definition(const CGAL_ext::internal::Patch& patch, const
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero(); // square, with a third singular value of zero: no QR to compile
     inverse.leftCols<2>() = surface * plane.inverse();
     const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(inverse);
-    const Eigen::Vector2d s = svd.singularValues().head<2>();
+    const Eigen::Vector3d all = svd.singularValues();
+    const Eigen::Vector2d s(all[0], all[1]);
     energy += area * (s.squaredNorm() + balance * s.cwiseInverse().squaredNorm());
   }
   return energy;

@@ -76,10 +76,14 @@ public:
   std::size_t factor_size() const { return m_factor_size; }       ///< numbers, of all fronts
   std::size_t workspace_size() const { return m_workspace_size; } ///< numbers that hold the contributions
 
-  /// indicates whether each contribution has a place of its own: where one thread does all, and there are few
-  bool keeps_contributions() const { return m_parts.size() == 1; }
+  /// indicates whether each contribution has a place of its own: where they take little memory
+  bool keeps_contributions() const { return m_factor_size <= LARGEST_KEPT; }
 
 private:
+  /// numbers of a factor whose contributions are kept, at most: of some 7000 vertices. More: the contributions take as
+  /// much memory as the factor.
+  static constexpr std::size_t LARGEST_KEPT = 250000;
+
   /// makes the fronts, each after all fronts below it, which come together, and numbers the columns in their order
   /// \param last the last column of the front of each column
   void make_fronts(const Column_tree& tree, const std::vector<int>& last)

@@ -50,8 +50,8 @@ public:
   void factorize(const Matrix& upper) { factorize(upper, std::vector<char>(m_fronts->fronts().size(), true)); }
 
   /// computes the factor of a matrix that differs from the last one in a few entries: the same numbers as by `factorize()`.
-  /// Where there is no work for several threads, the fronts stay as they are below which nothing has changed: of a small
-  /// mesh with one change that is half of the work.
+  /// Of a small factor, the fronts stay as they are below which nothing has changed: where a row and a column have, that is
+  /// three quarters of the work.
   /// \param changed the numbers of these entries, as the matrix stores them, in any order
   void refactorize(const Matrix& upper, const std::vector<int>& changed)
   {

@@ -9,7 +9,6 @@
 #include <CGAL_ext/Square_parameterization/internal/border/border_curves.h>
 #include <CGAL_ext/Square_parameterization/internal/border/corners_at_shares.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
-#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Balanced_energy.h>
@@ -18,7 +17,6 @@
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
-#include <CGAL_ext/Square_parameterization/internal/search/Worker_pool.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,8 +78,8 @@ inline std::vector<Uv_coordinates> spread_borders(const Patch& patch, int count,
   return borders;
 }
 
-/// the best of the maps that a cheap iteration makes for a few corners, concurrently; none, without uv, when the first of
-/// them has triangles that are too tiny for floating-point numbers
+/// the best of the maps that a cheap iteration makes for a few corners; none, without uv, when the first of them has
+/// triangles that are too tiny for floating-point numbers
 inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordinates>& borders,
                                  const Cut_score_options& options)
 {
@@ -89,26 +87,21 @@ inline Minimized_map quick_start(const Patch& patch, const std::vector<Uv_coordi
   start.maximum_iterations = static_cast<unsigned int>(options.numbers.start_iterations);
   const Stretch_iteration iteration(patch, start);
   const Balanced_energy energy(patch, options.balance, options.aspect);
-  Worker_pool<std::unique_ptr<Stretch_iteration::Workspace>> workspaces(
-      [] { return std::make_unique<Stretch_iteration::Workspace>(); });
-  std::vector<Minimized_map> maps(borders.size());
-  const auto map_onto = [&](std::size_t i) {
-    maps[i] = workspaces.lend([&](const auto& workspace) { return iteration.minimize(borders[i], 1, *workspace); });
-    maps[i].work += options.numbers.start_work * patch.number_of_vertices();
-    if(maps[i].uv.rows() > 0 && options.aspect != 1.)
-      maps[i].report.l2 = std::sqrt(stretch_energy(patch, on_rectangle(maps[i].uv, energy.aspect(maps[i].uv))));
-  };
-  map_onto(0);
-  if(maps[0].uv.rows() > 0)
-    Thread_team::current()(maps.size() - 1, [&](std::size_t i) { map_onto(i + 1); });
+  Stretch_iteration::Workspace workspace;
+  Minimized_map best;
   long work = 0;
-  for(const Minimized_map& map : maps)
-    work += map.work;
-  Minimized_map& best = *std::min_element(maps.begin(), maps.end(), [](const Minimized_map& a, const Minimized_map& b) {
-    return a.report.l2 < b.report.l2;
-  });
+  for(const Uv_coordinates& border : borders) {
+    Minimized_map map = iteration.minimize(border, 1, workspace);
+    work += options.numbers.start_work * patch.number_of_vertices() + map.work;
+    if(map.uv.rows() > 0 && options.aspect != 1.)
+      map.report.l2 = std::sqrt(stretch_energy(patch, on_rectangle(map.uv, energy.aspect(map.uv))));
+    if(map.report.l2 < best.report.l2)
+      best = std::move(map);
+    if(best.uv.rows() == 0)
+      break;
+  }
   best.work = work;
-  return std::move(best);
+  return best;
 }
 
 /// the map for a border from coarse to fine, which needs no quick start, and few steps however much a map is stretched

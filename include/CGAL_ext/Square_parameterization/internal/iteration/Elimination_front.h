@@ -27,7 +27,8 @@ struct Elimination_front
   int first_entry = 0, end_entry = 0; ///< entries of the matrix in its columns, in `Elimination_fronts::entries()`
   std::size_t rows = 0;               ///< where its rows begin in `Elimination_fronts::rows()`
   std::size_t values = 0;             ///< where its eliminated columns begin in the factor
-  std::size_t contribution = 0;       ///< where its contribution lies in the working memory
+  std::size_t contribution = 0;       ///< where its contribution lies in the working memory, until its parent has it
+  std::size_t kept_contribution = 0;  ///< the same where all contributions are kept
 
   int rows_of_parent() const { return height - width; } ///< rows, and columns, of the contribution
   int stride() const { return padded(height); }         ///< from column to column of the factor

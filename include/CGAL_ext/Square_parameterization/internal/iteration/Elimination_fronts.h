@@ -56,7 +56,6 @@ public:
   const std::vector<Elimination_front>& fronts() const { return m_fronts; } ///< children before their parents
   const std::vector<int>& places() const { return m_places; }               ///< of the columns in the reordered matrix
   const std::vector<Entry>& entries() const { return m_entries; }           ///< of the matrix, front by front
-  const std::vector<int>& front_of_entry() const { return m_front_of_entry; } ///< per entry, as the matrix stores them
 
   /// the parts, those of a stage one after the other
   const std::vector<Front_part>& parts() const { return m_parts; }
@@ -73,17 +72,24 @@ public:
   /// beside `rows()`, for those that a front does not eliminate: their numbers among the rows of its parent
   const std::vector<int>& rows_in_parent() const { return m_rows_in_parent; }
 
-  std::size_t factor_size() const { return m_factor_size; }       ///< numbers, of all fronts
-  std::size_t workspace_size() const { return m_workspace_size; } ///< numbers that hold the contributions
+  std::size_t factor_size() const { return m_factor_size; } ///< numbers, of all fronts
+  std::size_t workspace_size() const
+  {
+    return m_workspace_size;
+  }                                                     ///< numbers that hold contributions, until parents have them
+  std::size_t kept_size() const { return m_kept_size; } ///< numbers of all contributions
 
-  /// indicates whether each contribution has a place of its own: where they take little memory
-  bool keeps_contributions() const { return m_factor_size <= LARGEST_KEPT; }
+  /// per entry, as the matrix stores them, the front in whose columns it is
+  std::vector<int> front_of_entries() const
+  {
+    std::vector<int> result(m_entries.size());
+    for(std::size_t f = 0; f < m_fronts.size(); ++f)
+      for(int e = m_fronts[f].first_entry; e < m_fronts[f].end_entry; ++e)
+        result[m_entries[e].number] = static_cast<int>(f);
+    return result;
+  }
 
 private:
-  /// numbers of a factor whose contributions are kept, at most: of some 7000 vertices. More: the contributions take as
-  /// much memory as the factor.
-  static constexpr std::size_t LARGEST_KEPT = 250000;
-
   /// makes the fronts, each after all fronts below it, which come together, and numbers the columns in their order
   /// \param last the last column of the front of each column
   void make_fronts(const Column_tree& tree, const std::vector<int>& last)
@@ -163,7 +169,6 @@ private:
   {
     const std::vector<Lower_entry> entries = lower_entries(upper);
     std::vector<int> number_of_row(upper.cols(), -1), used_in(upper.cols(), -1);
-    m_front_of_entry.resize(entries.size());
     for(std::size_t f = 0; f < m_fronts.size(); ++f) {
       Elimination_front& front = m_fronts[f];
       front.rows = m_rows.size();
@@ -184,7 +189,6 @@ private:
       for(int e = front.first_entry; e < front.end_entry; ++e) {
         const auto& [row, column, number] = entries[e];
         m_entries.push_back({number, (column - front.first) * front.stride() + number_of_row[row]});
-        m_front_of_entry[number] = static_cast<int>(f);
       }
       for_rows_of_children(front, [&](std::size_t i) { m_rows_in_parent[i] = number_of_row[m_rows[i]]; });
     }
@@ -212,16 +216,13 @@ private:
     }
   }
 
-  /// lays the contributions one after the other, where they are kept; else those of each part on two stacks of its own, of
-  /// fronts of odd and of even depth: a front takes those of its children from the one, and puts its own on the other
+  /// lays the contributions of each part on two stacks of its own, of fronts of odd and of even depth: a front takes those
+  /// of its children from the one, and puts its own on the other. Where all are kept they lie one after the other.
   void place_contributions(const std::vector<int>& part_of)
   {
-    if(keeps_contributions()) {
-      for(Elimination_front& front : m_fronts) {
-        front.contribution = m_workspace_size;
-        m_workspace_size += front.contribution_size();
-      }
-      return;
+    for(Elimination_front& front : m_fronts) {
+      front.kept_contribution = m_kept_size;
+      m_kept_size += front.contribution_size();
     }
     std::vector<int> stack_of(m_fronts.size(), 0);
     for(std::size_t f = m_fronts.size(); f-- > 0;)
@@ -290,8 +291,7 @@ private:
   std::vector<Front_part> m_parts;
   std::vector<int> m_stages, m_originals;
   std::vector<Entry> m_entries;
-  std::vector<int> m_front_of_entry;
-  std::size_t m_factor_size = 0, m_workspace_size = 0;
+  std::size_t m_factor_size = 0, m_workspace_size = 0, m_kept_size = 0;
 };
 
 } // namespace internal

@@ -43,23 +43,31 @@ public:
   using Columns = Eigen::Matrix<Number, Eigen::Dynamic, COLUMNS>;
 
   /// \param upper the upper triangle of a matrix, compressed, its columns in an order of little fill
-  void analyzePattern(const Matrix& upper) { m_fronts = std::make_shared<const Elimination_fronts>(upper); }
+  void analyzePattern(const Matrix& upper)
+  {
+    m_fronts = std::make_shared<const Elimination_fronts>(upper);
+    m_front_of_entries.clear();
+  }
 
   /// computes the factor; fails when a pivot is zero or not finite
   /// \pre `analyzePattern()` was called with a matrix of the same pattern
   void factorize(const Matrix& upper) { factorize(upper, std::vector<char>(m_fronts->fronts().size(), true)); }
 
   /// computes the factor of a matrix that differs from the last one in a few entries: the same numbers as by `factorize()`.
-  /// Of a small factor, the fronts stay as they are below which nothing has changed: where a row and a column have, that is
-  /// three quarters of the work.
+  /// From the first call on all contributions are kept, about as many numbers as the factor has, and fronts stay as they
+  /// are below which nothing has changed: where a row and a column have, that is three quarters of the work.
   /// \param changed the numbers of these entries, as the matrix stores them, in any order
   void refactorize(const Matrix& upper, const std::vector<int>& changed)
   {
-    if(m_info != Eigen::Success || !m_fronts->keeps_contributions())
+    if(!keeps_contributions()) {
+      m_front_of_entries = m_fronts->front_of_entries();
+      return factorize(upper);
+    }
+    if(m_info != Eigen::Success)
       return factorize(upper);
     std::vector<char> is_changed(m_fronts->fronts().size(), false);
     for(int entry : changed)
-      is_changed[m_fronts->front_of_entry()[entry]] = true;
+      is_changed[m_front_of_entries[entry]] = true;
     for(std::size_t f = 0; f < is_changed.size(); ++f)
       if(const int parent = m_fronts->fronts()[f].parent; is_changed[f] && parent >= 0)
         is_changed[parent] = true;
@@ -97,6 +105,13 @@ private:
 
   std::size_t number_of_stages() const { return m_fronts->stages().size() - 1; }
 
+  bool keeps_contributions() const { return !m_front_of_entries.empty(); }
+
+  Number* contribution_of(const Elimination_front& front)
+  {
+    return m_workspace.data() + (keeps_contributions() ? front.kept_contribution : front.contribution);
+  }
+
   /// calls `work(part)` for the parts of a stage, with the threads of the current team
   template <class Work>
   void for_parts(std::size_t stage, const Work& work) const
@@ -111,7 +126,7 @@ private:
   {
     m_info = Eigen::NumericalIssue;
     m_factor.resize(m_fronts->factor_size());
-    m_workspace.resize(m_fronts->workspace_size());
+    m_workspace.resize(keeps_contributions() ? m_fronts->kept_size() : m_fronts->workspace_size());
     m_diagonal.resize(upper.cols());
     std::atomic<bool> is_sound = true;
     for(std::size_t stage = 0; stage < number_of_stages() && is_sound; ++stage)
@@ -119,7 +134,7 @@ private:
         if(!factorize_part(part, upper.valuePtr(), is_changed))
           is_sound = false;
       });
-    if(!m_fronts->keeps_contributions())
+    if(!keeps_contributions())
       m_workspace = std::vector<Number>(); // `= {}` would keep the memory
     m_info = is_sound ? Eigen::Success : Eigen::NumericalIssue;
   }
@@ -199,7 +214,7 @@ private:
   void assemble(const Elimination_front& front, const Number* values)
   {
     Number* const columns = m_factor.data() + front.values;
-    Number* const contribution = m_workspace.data() + front.contribution;
+    Number* const contribution = contribution_of(front);
     std::fill_n(columns, front.factor_size(), Number(0));
     std::fill_n(contribution, front.contribution_size(), Number(0));
     for(int e = front.first_entry; e < front.end_entry; ++e) {
@@ -209,7 +224,7 @@ private:
     for(int c = front.first_child; c >= 0; c = m_fronts->fronts()[c].next_sibling) {
       const Elimination_front& child = m_fronts->fronts()[c];
       const int* const row = m_fronts->rows_in_parent().data() + child.rows + child.width;
-      const Number* source = m_workspace.data() + child.contribution;
+      const Number* source = contribution_of(child);
       for(int j = 0; j < child.rows_of_parent(); ++j, source += child.contribution_stride()) {
         Number* const target =
             row[j] < front.width
@@ -277,7 +292,7 @@ private:
     const int stride = front.contribution_stride();
     for(int j = 0; j < front.rows_of_parent(); j += TILE)
       subtract_products(front, front.width, front.width + j, (std::min)(TILE, front.rows_of_parent() - j),
-                        m_workspace.data() + front.contribution + std::size_t(j) * stride + j, stride, factors);
+                        contribution_of(front) + std::size_t(j) * stride + j, stride, factors);
   }
 
   /// subtracts from columns what the first \p pivots columns of the front do to them:
@@ -391,9 +406,10 @@ private:
   }
 
   std::shared_ptr<const Elimination_fronts> m_fronts;
-  std::vector<Number> m_factor;    // the columns of L, front by front, with any numbers above the diagonal
-  std::vector<Number> m_workspace; // contributions
-  std::vector<Number> m_diagonal;  // of D
+  std::vector<Number> m_factor;        // the columns of L, front by front, with any numbers above the diagonal
+  std::vector<Number> m_workspace;     // contributions
+  std::vector<Number> m_diagonal;      // of D
+  std::vector<int> m_front_of_entries; // of the matrix; once contributions are kept
   Eigen::ComputationInfo m_info = Eigen::InvalidInput;
 };
 

@@ -184,17 +184,31 @@ TEST_CASE("the blocks of the Hessian are those of the shifted Hessian with its n
 {
   for(const Patch& patch : patches()) {
     const Uv_coordinates uv = some_map(patch);
-    for(double balance : {0., 0.3, 1.})
+    for(const auto& [balance, area_multiple] :
+        {std::pair(0., 2.), std::pair(0.3, 2.), std::pair(1., 2.), std::pair(0.3, 30.)})
       for(int f = 0; f < patch.number_of_faces(); ++f) {
-        const Eigen::Matrix4d clamped = clamped_matrix(jacobian_hessian(jacobian(patch, f, uv), balance, 2));
+        const Eigen::Matrix4d clamped =
+            clamped_matrix(jacobian_hessian(jacobian(patch, f, uv), balance, area_multiple));
         const Eigen::Matrix<double, 6, 6> expected = by_corners(patch.shapes[f], clamped);
-        const auto blocks = Balanced_energy(patch, balance).hessian_blocks(f, uv, {1, 1});
+        const auto blocks = Balanced_energy(patch, balance).hessian_blocks(f, uv, {1, 1}, area_multiple);
         for(int i = 0; i < 3; ++i)
           for(int j = 0; j < 3; ++j)
             for(int axis = 0; axis < 2; ++axis)
               CHECK(std::abs(blocks.of_axis(axis)(i, j) - expected(2 * i + axis, 2 * j + axis)) <
                     1e-9 * expected.cwiseAbs().maxCoeff());
       }
+  }
+}
+
+TEST_CASE("the stretch of a map is that of its energy without balance, on the rectangle")
+{
+  for(const Patch& patch : patches()) {
+    Uv_coordinates uv = some_map(patch);
+    const Balanced_energy energy(patch, 0.3, 4);
+    const double stretch = energy.stretch(uv, energy.scale(uv));
+    uv.col(0) *= 2;
+    uv.col(1) /= 2;
+    CHECK(stretch == Approx(energy_by_definition(patch, uv, 0)).epsilon(1e-12));
   }
 }
 

@@ -163,6 +163,12 @@ struct Minimizer_numbers
   /// factorizations, and steps that leave much to the sweep.
   static constexpr double BLOCKED_STEP = 0.02;
 
+  /// energy from which on a map counts as stretched, ten times or more, and vertices of its patch, at least: see
+  /// `Balanced_steps::factorize()`. Less of either: coarse maps by which cuts and corners are compared change, for the worse as
+  /// often as for the better; more vertices, as 700: a spiral of 8000 faces is stretched 0.5 % more.
+  static constexpr double STRETCHED = 200;
+  static constexpr int SMALLEST_STRETCHED = 500;
+
   /// directions that are tried to go round triangles: vertices that stay make others stand in the way
   static constexpr int MAXIMUM_ROUNDABOUTS = 4;
 
@@ -239,7 +245,7 @@ struct Minimizer_numbers
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
   /// fewer than `FINAL_VERTICES` counts as if it had as many. What several starts have cost, or one that is hopeless, is
   /// taken off, but for a quarter. Less: maps stretched tens of times are left before they are near their minimum.
-  static constexpr long MOST_FINAL_SWEEPS = 450;
+  static constexpr long MOST_FINAL_SWEEPS = 290;
   static constexpr int FINAL_VERTICES = 20000;
 
   /// the same for each vertex beyond these, of a map that is not hopeless by then: long strips and polygons take hundreds of

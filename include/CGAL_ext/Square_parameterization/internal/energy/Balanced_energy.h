@@ -122,6 +122,9 @@ public:
     return energy;
   }
 
+  /// the multiple of det(K) that is added for Hessians, where no other is given: see `hessian_blocks()`
+  static constexpr double AREA_MULTIPLE = 2;
+
   /// second derivatives of one triangle with respect to the u of its corners, and to the v; those with respect to an u
   /// and a v are left out. Of each the numbers of both axes.
   struct Hessian_blocks
@@ -141,16 +144,32 @@ public:
     }
   };
 
+  /// the stretch of a map, twice its squared L2 stretch: 2 where nothing is stretched. See `hessian_blocks()`.
+  /// \param to_rectangle what `scale(uv)` gives
+  double stretch(const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
+  {
+    return sum_over_triangles(0., [&](std::size_t begin, std::size_t end) {
+      double stretch = 0;
+      for(std::size_t f = begin; f < end; ++f) {
+        const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, to_rectangle);
+        stretch += terms.norm * m_patch.shapes[f].area() / (terms.determinant * terms.determinant);
+      }
+      return stretch;
+    });
+  }
+
   /// the blocks of the Hessian of triangle \p f, made positive semidefinite by clamping the negative of its
   /// eigenvalues, which are known in closed form (Smith, de Goes, Kim 2019).
   ///
   /// The total signed area of a map with fixed border, or with a border that slides along the square, is constant, so
   /// any multiple of det(K) may be added: the objective and its gradient stay, and fewer eigenvalues need clamping.
   /// \param to_rectangle what `scale(uv)` gives; the aspect is taken as fixed
-  Hessian_blocks hessian_blocks(int f, const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
+  /// \param area_multiple this multiple, the same for all triangles
+  Hessian_blocks hessian_blocks(int f, const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle,
+                                double area_multiple = AREA_MULTIPLE) const
   {
     const Flat_triangle& shape = m_patch.shapes[f];
-    const Modes modes(jacobian(f, uv, to_rectangle), m_balance);
+    const Modes modes(jacobian(f, uv, to_rectangle), m_balance, area_multiple);
     const auto [xx, xy, yy] = modes.forms_on_rows();
     // gradients of the hat functions of corners 1, (a, b), and 2, (0, c); that of corner 0 is minus their sum
     const double a = 1 / shape.x1, c = 1 / shape.y2, b = -shape.x2 * a * c;
@@ -210,9 +229,8 @@ private:
   /// first and third depend on the angle of U V^T alone, the others on that of the reflection. f mixes the first two.
   struct Modes
   {
-    Modes(const Eigen::Matrix2d& K, double balance)
+    Modes(const Eigen::Matrix2d& K, double balance, double area_multiple)
     {
-      constexpr double AREA_SHIFT = 2;
       const double turn_cos = (K(0, 0) + K(1, 1)) / 2, turn_sin = (K(1, 0) - K(0, 1)) / 2;
       const double mirror_cos = (K(0, 0) - K(1, 1)) / 2, mirror_sin = (K(1, 0) + K(0, 1)) / 2;
       const double mean = std::sqrt(turn_cos * turn_cos + turn_sin * turn_sin); // (s1 + s2) / 2
@@ -221,10 +239,10 @@ private:
       mirror = half_difference > 0 ? Eigen::Vector2d(mirror_cos, mirror_sin) / half_difference : Eigen::Vector2d(1, 0);
       const double s1 = mean + half_difference, s2 = K.determinant() / s1; // mean - half_difference would cancel
       const double i1 = 1 / (s1 * s1), i2 = 1 / (s2 * s2), cubes = i1 * i2 / (s1 * s2);
-      twist = (std::max)(0., 2 * (balance - (s1 * s1 - s1 * s2 + s2 * s2) * cubes) + AREA_SHIFT);
-      flip = (std::max)(0., 2 * (balance + (s1 * s1 + s1 * s2 + s2 * s2) * cubes) - AREA_SHIFT);
+      twist = (std::max)(0., 2 * (balance - (s1 * s1 - s1 * s2 + s2 * s2) * cubes) + area_multiple);
+      flip = (std::max)(0., 2 * (balance + (s1 * s1 + s1 * s2 + s2 * s2) * cubes) - area_multiple);
       const double h11 = 6 * i1 * i1 + 2 * balance, h22 = 6 * i2 * i2 + 2 * balance;
-      scaling << (h11 + h22) / 2 + AREA_SHIFT, (h11 - h22) / 2, (h11 - h22) / 2, (h11 + h22) / 2 - AREA_SHIFT;
+      scaling << (h11 + h22) / 2 + area_multiple, (h11 - h22) / 2, (h11 - h22) / 2, (h11 + h22) / 2 - area_multiple;
       clamp(scaling);
     }
 

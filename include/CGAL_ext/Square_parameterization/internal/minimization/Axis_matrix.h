@@ -70,15 +70,16 @@ public:
   Matrix make() const { return m_pattern.cast<Number_per_axis>(); }
 
   /// sets a matrix to the Hessian at \p uv
-  void set(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
-           Matrix& matrix) const
+  /// \param area_multiple see `Balanced_energy::hessian_blocks()`
+  void set(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free, Matrix& matrix,
+           double area_multiple = Balanced_energy::AREA_MULTIPLE) const
   {
     const Eigen::RowVector2d to_rectangle = energy.scale(uv);
     Number_per_axis* const values = matrix.valuePtr();
     for_ranges(matrix.nonZeros(),
                [&](std::size_t begin, std::size_t end) { std::fill(values + begin, values + end, Number_per_axis()); });
     typedef Balanced_energy::Hessian_blocks Blocks;
-    const auto blocks_of = [&](int f) { return energy.hessian_blocks(f, uv, to_rectangle); };
+    const auto blocks_of = [&](int f) { return energy.hessian_blocks(f, uv, to_rectangle, area_multiple); };
     const auto add = [&](int f, const Blocks& blocks, double) {
       const auto& t = m_patch.triangles[f];
       for(int k = 0; k < 3; ++k) {

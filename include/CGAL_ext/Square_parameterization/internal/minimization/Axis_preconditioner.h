@@ -32,14 +32,15 @@ public:
   {}
 
   /// factors the two matrices at \p uv; false when one of them is singular
+  /// \param area_multiple see `Balanced_energy::hessian_blocks()`
   bool factorize(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
-                 Factors& factors) const
+                 Factors& factors, double area_multiple = Balanced_energy::AREA_MULTIPLE) const
   {
     if(factors.matrix.nonZeros() == 0) {
       factors.matrix = m_matrix.make();
       factors.of_axes.analyzePattern(factors.matrix);
     }
-    m_matrix.set(energy, uv, is_free, factors.matrix);
+    m_matrix.set(energy, uv, is_free, factors.matrix, area_multiple);
     factors.of_axes.factorize(factors.matrix);
     return factors.of_axes.info() == Eigen::Success;
   }

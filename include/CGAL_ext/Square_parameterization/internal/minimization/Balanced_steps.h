@@ -57,17 +57,14 @@ public:
   /// sets the gradient, and returns the energy
   double look_at(const Uv_coordinates& uv)
   {
-    const double energy = m_energy.gradient(uv, m_workspace.gradient);
+    m_reached = m_energy.gradient(uv, m_workspace.gradient);
     set_rows(m_workspace.gradient, uv.rows(),
              [&](const auto& rows) { return rows(m_is_free).select(rows(m_workspace.gradient), 0.); });
-    return energy;
+    return m_reached;
   }
 
   /// takes the factors anew when they have come of age; false when that fails
-  bool refresh_factors(const Uv_coordinates& uv)
-  {
-    return m_age > 0 || m_preconditioner.factorize(m_energy, uv, m_is_free, m_workspace.preconditioner);
-  }
+  bool refresh_factors(const Uv_coordinates& uv) { return m_age > 0 || factorize(uv, m_is_free); }
 
   /// sets the direction of descent and returns the slope along it; forgets the memory when that leads upwards
   double find_direction()
@@ -131,6 +128,21 @@ public:
   long roundabouts() const { return m_roundabouts; }
 
 private:
+  bool is_stretched() const
+  {
+    return m_reached > Minimizer_numbers::STRETCHED &&
+           m_patch.number_of_vertices() >= Minimizer_numbers::SMALLEST_STRETCHED;
+  }
+
+  /// takes the matrices at \p uv. Those of a map that is stretched are of the energy and the stretch times the area, by
+  /// which fewer eigenvalues are negative: sheets with fins, which are stretched thirty times, end 1 % lower.
+  bool factorize(const Uv_coordinates& uv, const Free_coordinates& moves)
+  {
+    return m_preconditioner.factorize(m_energy, uv, moves, m_workspace.preconditioner,
+                                      is_stretched() ? m_energy.stretch(uv, m_energy.scale(uv))
+                                                     : Balanced_energy::AREA_MULTIPLE);
+  }
+
   /// far from the minimum the Hessian changes more from step to step
   static unsigned int lifetime_of_factors(unsigned int steps)
   {
@@ -141,22 +153,24 @@ private:
   /// turns to another direction where triangles that lose their area on a small part of the way would keep the step
   /// short: their vertices stay, and the others move with regard to that. The sweep mends these triangles. Tells whether
   /// another direction was tried; then the factors are of the last one alone.
+  ///
+  /// After more steps than a coarse map may take the matrices are those of the last factors, however old: they only lose rows,
+  /// which costs a quarter as much as new ones, and maps are hardly worse for it. Some coarse maps would be lost by it.
   /// \param feasible the largest step in the direction
   bool go_round_blocked(const Uv_coordinates& uv, double& slope, double& feasible)
   {
     const double blocked = blocked_step();
     Free_coordinates moves = m_is_free;
-    bool are_factors_new = m_age == 0;
+    bool uses_last_factors = m_age == 0 || m_steps > Minimizer_numbers::COARSE_ITERATIONS;
     int tries = 0;
     while(tries < Minimizer_numbers::MAXIMUM_ROUNDABOUTS && is_blocked(feasible, blocked)) {
       ++tries;
       fix_blocked(uv, blocked, moves);
       m_memory.clear();
-      // at the same map the matrices only lose rows
-      if(!(are_factors_new ? m_preconditioner.factorize_fewer(moves, m_workspace.preconditioner)
-                           : m_preconditioner.factorize(m_energy, uv, moves, m_workspace.preconditioner)))
+      if(!(uses_last_factors ? m_preconditioner.factorize_fewer(moves, m_workspace.preconditioner)
+                             : factorize(uv, moves)))
         break;
-      are_factors_new = true;
+      uses_last_factors = true;
       m_workspace.direction = moves.select(-m_workspace.gradient, 0.);
       m_preconditioner.apply(m_workspace.preconditioner, m_workspace.direction);
       slope = dot(m_workspace.gradient, m_workspace.direction);
@@ -212,6 +226,7 @@ private:
   Workspace& m_workspace;
   unsigned int m_steps; // that have led to the map
   Secant_memory m_memory{Minimizer_numbers::SECANT_PAIRS};
+  double m_reached = 0;   // the energy of the map
   unsigned int m_age = 0; // of the factors, in steps
   long m_roundabouts = 0;
   bool m_has_gone_round = false; // in the step that is tried

@@ -64,14 +64,15 @@ public:
   bool is_direct() const { return m_direct.has_value(); }
 
   /// takes the matrices at \p uv; false when they are singular
+  /// \param area_multiple see `Balanced_energy::hessian_blocks()`
   bool factorize(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
-                 Memory& memory) const
+                 Memory& memory, double area_multiple = Balanced_energy::AREA_MULTIPLE) const
   {
     memory.is_free = is_free;
     if(m_direct && !memory.factors)
       memory.factors.emplace();
-    memory.is_set =
-        m_direct ? m_direct->factorize(energy, uv, is_free, *memory.factors) : set_matrix(energy, uv, is_free, memory);
+    memory.is_set = m_direct ? m_direct->factorize(energy, uv, is_free, *memory.factors, area_multiple)
+                             : set_matrix(energy, uv, is_free, area_multiple, memory);
     return memory.is_set;
   }
 
@@ -101,11 +102,11 @@ private:
   Multigrid_preconditioner() = default;
 
   bool set_matrix(const Balanced_energy& energy, const Uv_coordinates& uv, const Free_coordinates& is_free,
-                  Memory& memory) const
+                  double area_multiple, Memory& memory) const
   {
     if(memory.matrix.nonZeros() == 0)
       memory.matrix = m_matrix->make();
-    m_matrix->set(energy, uv, is_free, memory.matrix);
+    m_matrix->set(energy, uv, is_free, memory.matrix, area_multiple);
     return Matrix_sweep::has_positive_diagonal(memory.matrix);
   }
 

@@ -182,7 +182,7 @@ struct Minimizer_numbers
   /// cost of a step, as a multiple of that of a sweep; measured
   static constexpr long STEP_WORK = 4;
 
-  /// the same of a direction that is tried to go round triangles, and factored for that alone; times
+  /// the same of a direction that is tried to go round triangles, with the factors that are taken anew after it; times
   /// `growth_of_roundabouts()`
   static constexpr double ROUNDABOUT_WORK = 2;
 

@@ -73,11 +73,12 @@ public:
   const std::vector<int>& rows_in_parent() const { return m_rows_in_parent; }
 
   std::size_t factor_size() const { return m_factor_size; } ///< numbers, of all fronts
-  std::size_t workspace_size() const
-  {
-    return m_workspace_size;
-  }                                                     ///< numbers that hold contributions, until parents have them
-  std::size_t kept_size() const { return m_kept_size; } ///< numbers of all contributions
+
+  /// numbers of the contributions that wait for their parents at a time
+  std::size_t workspace_size() const { return m_workspace_size; }
+
+  /// numbers of all contributions
+  std::size_t kept_size() const { return m_kept_size; }
 
   /// per entry, as the matrix stores them, the front in whose columns it is
   std::vector<int> front_of_entries() const

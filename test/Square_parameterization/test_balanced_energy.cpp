@@ -200,15 +200,15 @@ TEST_CASE("the blocks of the Hessian are those of the shifted Hessian with its n
   }
 }
 
-TEST_CASE("the stretch of a map is that of its energy without balance, on the rectangle")
+TEST_CASE("twice the squared L2 stretch of a map is its energy without balance, on the rectangle")
 {
   for(const Patch& patch : patches()) {
     Uv_coordinates uv = some_map(patch);
     const Balanced_energy energy(patch, 0.3, 4);
-    const double stretch = energy.stretch(uv, energy.scale(uv));
+    const double twice_squared_l2 = energy.twice_squared_l2(uv, energy.scale(uv));
     uv.col(0) *= 2;
     uv.col(1) /= 2;
-    CHECK(stretch == Approx(energy_by_definition(patch, uv, 0)).epsilon(1e-12));
+    CHECK(twice_squared_l2 == Approx(energy_by_definition(patch, uv, 0)).epsilon(1e-12));
   }
 }
 

@@ -144,17 +144,17 @@ public:
     }
   };
 
-  /// the stretch of a map, twice its squared L2 stretch: 2 where nothing is stretched. See `hessian_blocks()`.
+  /// twice the squared L2 stretch of a map: 2 where nothing is stretched. See `hessian_blocks()`.
   /// \param to_rectangle what `scale(uv)` gives
-  double stretch(const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
+  double twice_squared_l2(const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
   {
     return sum_over_triangles(0., [&](std::size_t begin, std::size_t end) {
-      double stretch = 0;
+      double sum = 0;
       for(std::size_t f = begin; f < end; ++f) {
         const Terms terms(m_patch.shapes[f], m_patch.triangles[f], uv, to_rectangle);
-        stretch += terms.norm * m_patch.shapes[f].area() / (terms.determinant * terms.determinant);
+        sum += terms.norm * m_patch.shapes[f].area() / (terms.determinant * terms.determinant);
       }
-      return stretch;
+      return sum;
     });
   }
 

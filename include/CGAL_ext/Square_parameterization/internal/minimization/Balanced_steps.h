@@ -134,12 +134,12 @@ private:
            m_patch.number_of_vertices() >= Minimizer_numbers::SMALLEST_STRETCHED;
   }
 
-  /// takes the matrices at \p uv. Those of a map that is stretched are of the energy and the stretch times the area, by
+  /// takes the matrices at \p uv. Those of a map that is stretched are of the energy and 2 L2^2 times the area, by
   /// which fewer eigenvalues are negative: sheets with fins, which are stretched thirty times, end 1 % lower.
   bool factorize(const Uv_coordinates& uv, const Free_coordinates& moves)
   {
     return m_preconditioner.factorize(m_energy, uv, moves, m_workspace.preconditioner,
-                                      is_stretched() ? m_energy.stretch(uv, m_energy.scale(uv))
+                                      is_stretched() ? m_energy.twice_squared_l2(uv, m_energy.scale(uv))
                                                      : Balanced_energy::AREA_MULTIPLE);
   }
 

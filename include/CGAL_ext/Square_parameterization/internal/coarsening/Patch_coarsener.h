@@ -68,6 +68,8 @@ public:
     run.queue = Queue(std::greater<Collapse>(), cheapest_collapses());
     collapse(run, to_remove());
     coarse.append_removals(std::move(run.made));
+    coarse.removals.shrink_to_fit();
+    coarse.rings.shrink_to_fit();
     gather(coarse);
     coarse.waves = waves_of(coarse, m_fine.number_of_vertices());
     return coarse;
@@ -206,6 +208,8 @@ private:
   {
     std::vector<int> place(m_fine.points.size(), -1);
     std::vector<Eigen::Vector3d> points;
+    points.reserve(m_fine.points.size() - coarse.removals.size());
+    coarse.fine_vertex.reserve(points.capacity());
     for(int v = 0; v < m_fine.number_of_vertices(); ++v)
       if(!m_surface.is_removed(v)) {
         place[v] = static_cast<int>(points.size());
@@ -213,6 +217,10 @@ private:
         coarse.fine_vertex.push_back(v);
       }
     std::vector<std::array<int, 3>> triangles;
+    std::size_t removed = 0;
+    for(const Coarse_patch::Removal& removal : coarse.removals)
+      removed += removal.is_on_border() ? 1 : 2;
+    triangles.reserve(m_fine.triangles.size() - removed);
     for(std::size_t f = 0; f < m_fine.triangles.size(); ++f)
       if(m_surface.is_alive(f)) {
         const auto& t = m_surface.triangles()[f];

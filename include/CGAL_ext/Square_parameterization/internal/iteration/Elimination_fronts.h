@@ -131,6 +131,7 @@ private:
     std::vector<int> next;
     for(const Elimination_front& front : m_fronts)
       next.push_back(front.first);
+    m_places.reserve(n);
     for(int j = 0; j < n; ++j)
       m_places.push_back(next[front_of[last[j]]]++);
   }
@@ -146,6 +147,7 @@ private:
   std::vector<Lower_entry> lower_entries(const Eigen::SparseMatrix<Number>& upper)
   {
     std::vector<Lower_entry> entries;
+    entries.reserve(upper.nonZeros());
     std::vector<int> begin(upper.cols() + 1, 0);
     for(int k = 0; k < upper.cols(); ++k)
       for(typename Eigen::SparseMatrix<Number>::InnerIterator entry(upper, k); entry; ++entry) {
@@ -169,6 +171,7 @@ private:
   void find_rows(const Eigen::SparseMatrix<Number>& upper)
   {
     const std::vector<Lower_entry> entries = lower_entries(upper);
+    m_entries.reserve(entries.size());
     std::vector<int> number_of_row(upper.cols(), -1), used_in(upper.cols(), -1);
     for(std::size_t f = 0; f < m_fronts.size(); ++f) {
       Elimination_front& front = m_fronts[f];
@@ -193,6 +196,8 @@ private:
       }
       for_rows_of_children(front, [&](std::size_t i) { m_rows_in_parent[i] = number_of_row[m_rows[i]]; });
     }
+    m_rows.shrink_to_fit();
+    m_rows_in_parent.shrink_to_fit();
   }
 
   /// calls `use(i)` for the places in `m_rows` of the rows that the children of a front do not eliminate

@@ -36,7 +36,7 @@ public:
     std::optional<Axis_preconditioner::Factors> factors; // of a small patch
     Axis_matrix::Matrix matrix;                          // of a large one
     Free_coordinates is_free;
-    Uv_coordinates residual, solution, correction, coarse;
+    Uv_coordinates residual, solution, coarse;
   };
 
   /// of a patch that is small
@@ -127,10 +127,10 @@ private:
     m_interpolation->restrict_to_coarse(memory.residual, memory.coarse);
     memory.coarse = coarser.is_free.select(memory.coarse, 0.);
     m_coarser->apply(coarser, memory.coarse);
-    memory.correction.resize(memory.solution.rows(), 2);
-    m_interpolation->prolong(memory.coarse, memory.correction);
+    Uv_coordinates& correction = memory.residual; // which is no longer needed
+    m_interpolation->prolong(memory.coarse, correction);
     set_rows(memory.solution, memory.solution.rows(), [&](const auto& rows) {
-      return rows(memory.solution) + rows(memory.is_free).select(rows(memory.correction), 0.);
+      return rows(memory.solution) + rows(memory.is_free).select(rows(correction), 0.);
     });
   }
 

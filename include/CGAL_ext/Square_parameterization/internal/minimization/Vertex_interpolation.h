@@ -29,8 +29,10 @@ public:
                        const std::vector<int>& coarse_order)
     : m_first_of_wave(coarse.waves.first), m_first_follower(rank.size() + 1, 0), m_first(1, 0)
   {
+    m_kept.reserve(coarse_order.size());
     for(int v : coarse_order)
       m_kept.push_back(rank[coarse.fine_vertex[v]]);
+    m_removed.reserve(coarse.waves.removals.size());
     for(int i : coarse.waves.removals)
       m_removed.push_back(rank[coarse.removals[i].vertex]);
     find_neighbors(fine, coarse, rank);
@@ -132,6 +134,7 @@ private:
         numbers[i] = neighbors.size();
       }
     });
+    m_first.reserve(numbers.size() + 1);
     for(std::size_t number : numbers)
       m_first.push_back(m_first.back() + number);
     m_neighbors.reserve(m_first.back());

@@ -98,6 +98,15 @@ public:
   /// frees the memory of the threads, which are given new memory where more corners are mapped
   void release_workers() { m_workers.clear(); }
 
+  /// forgets what maps may start from, but for corners like these
+  void keep_warm_starts(const std::vector<Corners>& choices)
+  {
+    std::map<Corners, Warm_start> kept;
+    for(const Corners& corners : choices)
+      kept.insert(m_warm_starts.extract(corners)); // which stay where they are
+    m_warm_starts.swap(kept);
+  }
+
   /// the number of choices evaluated
   std::size_t number_of_choices() const { return m_number_of_choices; }
 

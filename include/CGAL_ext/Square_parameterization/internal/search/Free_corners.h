@@ -177,16 +177,19 @@ private:
     std::vector<const Uv_coordinates*> warm_starts;
     for(const Corners& corners : ends)
       warm_starts.push_back(coarse.warm_start(corners));
-    release_coarse_workers();
+    release_coarse_maps(ends);
     m_maps(ends, warm_starts);
   }
 
-  /// frees the memory for sketches and rough maps: what is mapped next needs more than they
-  void release_coarse_workers()
+  /// frees the memory for sketches and rough maps, and those of other corners than \p ends: what is mapped next needs more
+  /// than they
+  void release_coarse_maps(const std::vector<Corners>& ends)
   {
     for(std::optional<Corner_evaluation>* coarse : {&m_sketches, &m_rough_maps})
-      if(*coarse)
+      if(*coarse) {
         (*coarse)->release_workers();
+        (*coarse)->keep_warm_starts(ends);
+      }
   }
 
   const Patch& m_patch;

@@ -10,6 +10,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <set>
+#include <vector>
+
 using namespace CGAL_ext;
 using namespace CGAL_ext::internal;
 
@@ -297,6 +300,27 @@ TEST_CASE("a minimization ends when its steps have cost what they may")
     CHECK(continued.report.iterations == steps + 3); // the steps behind the map count
     CHECK(continued.work == (steps + 3) * step);
   }
+}
+
+TEST_CASE("a map whose energy falls fast may cost up to three times as much")
+{
+  const auto falls_fast = [](const std::vector<double>& history) {
+    const double energy = history.back();
+    return history[history.size() - 1 - Minimizer_numbers::LONG_RUN] - energy > Minimizer_numbers::FAST_FALL * energy;
+  };
+  std::set<bool> have_cost_most;
+  for(const Patch& patch : {make_patch_of(spiral()), make_patch_of(long_strip())}) {
+    const long step = Minimizer_numbers::STEP_WORK * patch.number_of_vertices(), most = 60 * step;
+    Balanced_minimizer::Workspace workspace;
+    const Minimized_map map = Balanced_minimizer(patch, minimization_of(0, false))
+                                  .minimize({some_map(patch), {}, {}}, 0, {600, most}, workspace);
+    REQUIRE(map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS);
+    CHECK(map.work > most + step);
+    const bool has_cost_most = map.work > Minimizer_numbers::MOST_TIMES_WORK * most;
+    CHECK(falls_fast(map.report.history) == has_cost_most);
+    have_cost_most.insert(has_cost_most);
+  }
+  CHECK(have_cost_most.size() == 2);
 }
 
 TEST_CASE("settling a map mends what one vertex spoils")

@@ -38,7 +38,8 @@ public:
   struct Limits
   {
     unsigned int iterations; ///< largest number of steps, with those that the map has behind it
-    /// of all these steps, and of directions round triangles that are tried now, in vertices visited
+    /// of all these steps, and of directions round triangles that are tried now, in vertices visited; while the energy falls
+    /// fast, up to `MOST_TIMES_WORK` times as much
     long work = (std::numeric_limits<long>::max)();
 
     /// ends, too, as soon as the energy will stay above it by all that steps promise; the objective is what it would come
@@ -120,14 +121,25 @@ private:
 
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }
 
+  /// indicates whether the last steps, of which there are so many, gained a share of the energy at most
+  static bool gains_at_most(double share, const std::vector<double>& history, std::size_t steps)
+  {
+    return history.size() > steps && history[history.size() - 1 - steps] - history.back() <= share * history.back();
+  }
+
   static bool gains_little(const std::vector<double>& history, double tolerance)
   {
-    const auto gains_less_in = [&history](std::size_t steps, double gain) {
-      return history.size() > steps && history[history.size() - 1 - steps] - history.back() <= gain * history.back();
-    };
-    return gains_less_in(Minimizer_numbers::STEPS_COMPARED, tolerance) ||
+    return gains_at_most(tolerance, history, Minimizer_numbers::STEPS_COMPARED) ||
            (history.size() > Minimizer_numbers::MANY_STEPS &&
-            gains_less_in(Minimizer_numbers::LONG_RUN, Minimizer_numbers::TOLERANCES_OF_LONG_RUN * tolerance));
+            gains_at_most(Minimizer_numbers::TOLERANCES_OF_LONG_RUN * tolerance, history, Minimizer_numbers::LONG_RUN));
+  }
+
+  /// indicates whether a map has cost what it may, which is more while its energy falls fast
+  static bool has_cost_enough(long work, long most, const std::vector<double>& history)
+  {
+    const bool falls_fast = history.size() > Minimizer_numbers::LONG_RUN &&
+                            !gains_at_most(Minimizer_numbers::FAST_FALL, history, Minimizer_numbers::LONG_RUN);
+    return work > most && !(falls_fast && work / Minimizer_numbers::MOST_TIMES_WORK <= most);
   }
 
   /// tells whether the energy will not fall to the limit, by what the next step promises and the last one gained

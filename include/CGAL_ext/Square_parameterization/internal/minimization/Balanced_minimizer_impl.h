@@ -72,7 +72,8 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Balanced_minimizer::minimize(Minimized_ma
     report.history.push_back(report.objective);
   const unsigned int first_iteration = report.iterations;
   while(true) {
-    if(report.iterations >= limits.iterations || work_of(report.iterations, steps.roundabouts()) > limits.work) {
+    if(report.iterations >= limits.iterations ||
+       has_cost_enough(work_of(report.iterations, steps.roundabouts()), limits.work, report.history)) {
       report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
       break;
     }

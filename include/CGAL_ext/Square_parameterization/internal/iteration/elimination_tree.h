@@ -53,7 +53,9 @@ inline double cost_of_front(double width, double height)
 }
 
 /// merges columns into their parents: first where both have the same rows, then where one front costs less than two
-/// (Ashcraft and Grimes, ACM TOMS 15, 1989). Returns for each column the last one of its front.
+/// (Ashcraft and Grimes, ACM TOMS 15, 1989), and no more for each of its columns than the lower one does: on strips, where column
+/// follows column, a front would grow until one column more costs as much as a front of its own. Returns for each
+/// column the last one of its front.
 inline std::vector<int> merged_columns(const Column_tree& tree)
 {
   struct Size
@@ -83,7 +85,7 @@ inline std::vector<int> merged_columns(const Column_tree& tree)
   };
   merge([](const Size& child, const Size&, const Size& both) { return both.height == child.height; });
   merge([](const Size& child, const Size& parent, const Size& both) {
-    return both.cost() <= child.cost() + parent.cost();
+    return both.cost() <= child.cost() + parent.cost() && both.cost() * child.width <= child.cost() * both.width;
   });
   return last;
 }

@@ -67,6 +67,16 @@ double place_on_border(const Eigen::RowVector2d& p)
                                    : 4 - p.y();
 }
 
+/// the places of the border vertices in the corners of the square
+std::set<int> corners_of(const Uv_coordinates& border_uv)
+{
+  std::set<int> corners;
+  for(Eigen::Index k = 0; k < border_uv.rows(); ++k)
+    if(const double place = place_on_border(border_uv.row(k)); place == std::floor(place))
+      corners.insert(static_cast<int>(k));
+  return corners;
+}
+
 /// checks that the border goes once round the square, through its four corners
 void check_border(const Uv_coordinates& border_uv)
 {
@@ -131,9 +141,10 @@ TEST_CASE("a vertex stands for each corner that a coarse border leaves out, and 
     int removed_corners = 0;
     for(int candidate : {0, 1, 2, 3, 50, 77}) {
       const Uv_coordinates border_uv = square_border_of(fine, candidate);
-      const auto coarse_place = coarse_border(coarse, border_uv);
+      const auto coarse_place = coarse_border(coarse, finest_border(border_uv));
       REQUIRE(coarse_place);
-      const auto& [coarse_uv, removed] = *coarse_place;
+      const auto& [coarse_uv, corners, removed] = *coarse_place;
+      CHECK(std::set<int>(corners.begin(), corners.end()) == corners_of(coarse_uv));
       removed_corners += static_cast<int>(removed.size());
       REQUIRE(coarse_uv.rows() == static_cast<Eigen::Index>(coarse.patch.border.size()));
       check_border(coarse_uv);
@@ -168,7 +179,7 @@ TEST_CASE("where two corners fall into one vertex there is no coarse border, and
   const int first = (a + 1) % size == b ? a : b;
   const Uv_coordinates border_uv =
       border_with_corners(fine, {first, (first + 1) % size, (first + size / 3) % size, (first + 2 * size / 3) % size});
-  CHECK_FALSE(coarse_border(coarse, border_uv));
+  CHECK_FALSE(coarse_border(coarse, finest_border(border_uv)));
   const Minimized_map map = make_minimizer(fine, Balanced_minimization())->make_worker()(border_uv, nullptr);
   REQUIRE(map.uv.rows() == fine.number_of_vertices());
   CHECK(number_of_flipped_faces(fine.triangles, map.uv) == 0);

@@ -108,9 +108,10 @@ public:
   /// the borders of the patches when that of the first is \p border_uv (#B by 2), as far as the four corners stay apart
   Borders borders(const Uv_coordinates& border_uv) const
   {
-    Borders result{{border_uv, {}}};
+    Borders result;
+    result.push_back(finest_border(border_uv));
     while(result.size() < size()) {
-      auto border = coarse_border(coarse(result.size()), result.back().uv);
+      auto border = coarse_border(coarse(result.size()), result.back());
       if(!border)
         break;
       result.push_back(std::move(*border));

@@ -77,6 +77,25 @@ TEST_CASE("a signal ends a run at once, and nothing is written")
     }
 }
 
+TEST_CASE("a signal ends a run whose messages nobody reads, and that has no more room for one")
+{
+  Long_run run({}, [] {
+    int ends[2]; // the one to read from stays open
+    if(pipe(ends) != 0 || fcntl(ends[1], F_SETFL, O_NONBLOCK) != 0)
+      return;
+    const std::string page(4096, ' ');
+    while(write(ends[1], page.data(), page.size()) > 0) {
+    }
+    fcntl(ends[1], F_SETFL, 0);
+    dup2(ends[1], STDERR_FILENO);
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const auto start = std::chrono::steady_clock::now();
+  run.send(SIGINT);
+  CHECK(run.end().status == 128 + SIGINT);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+}
+
 TEST_CASE("a signal that the caller ignores stays ignored")
 {
   Long_run run({}, [] { std::signal(SIGHUP, SIG_IGN); }); // as nohup does

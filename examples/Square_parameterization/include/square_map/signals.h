@@ -7,6 +7,7 @@
 #include "Temporary_files.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -28,7 +29,8 @@ enum class Run_phase
 inline std::atomic<Run_phase> run_phase{Run_phase::WORKING};
 
 /// The process ends in the handler, whatever it is at: cutting, mapping, or waiting for a reader. This leaves nothing
-/// to undo, for outputs are written elsewhere until they take their places. It calls only what a handler may call.
+/// to undo, for outputs are written elsewhere until they take their places. It calls only what a handler may call, and waits
+/// for nobody: where the pipe for messages is full the process ends without one.
 extern "C" inline void square_map_end_by_signal(int signal)
 {
   static std::atomic<bool> was_passed_over{false};
@@ -47,7 +49,8 @@ extern "C" inline void square_map_end_by_signal(int signal)
                               : signal == SIGHUP  ? "square_map: ended by SIGHUP; no file was replaced\n"
                               : signal == SIGQUIT ? "square_map: ended by SIGQUIT; no file was replaced\n"
                                                   : "square_map: no processor time is left; no file was replaced\n";
-  if(phase == Run_phase::WORKING) [[maybe_unused]]
+  pollfd error{STDERR_FILENO, POLLOUT, 0};
+  if(phase == Run_phase::WORKING && poll(&error, 1, 0) == 1) [[maybe_unused]]
     const auto written = write(STDERR_FILENO, message, std::strlen(message));
   _exit(128 + signal);
 }

@@ -126,6 +126,44 @@ TEST_CASE("PLY files are read with integer coordinates, and with elements and pr
   CHECK(map.points[3] == Point{0, 4, 0});
 }
 
+TEST_CASE(
+    "binary PLY files are read with coordinates of any type, and with elements and properties that are not needed")
+{
+  const std::vector<Point> corners{{0, 0, 0}, {3, 0, 0}, {3, 4, 5}, {0, 4, 0}};
+  std::vector<std::pair<std::string, Write>> types = integer_types;
+  types.emplace_back("float", binary<float>);
+  types.emplace_back("double", binary<double>);
+  for(const auto& [type, write] : types)
+    for(const bool is_big : {false, true}) {
+      const auto list = [is_big = is_big](const std::vector<double>& values, Write size, Write value) {
+        std::string text = size(double(values.size()), is_big);
+        for(double x : values)
+          text += value(x, is_big);
+        return text;
+      };
+      std::string text = std::string("ply\nformat ") + (is_big ? "binary_big_endian" : "binary_little_endian") +
+                         " 1.0\nelement camera 1\nproperty list uchar float view\nelement vertex 4\n"
+                         "property uchar red\nproperty " +
+                         type + " z\nproperty " + type + " y\nproperty list uchar int near\nproperty " + type +
+                         " x\nelement face 2\nproperty list int float weights\n"
+                         "property list uint8 uint16 vertex_index\nproperty float quality\nelement edge 1\n"
+                         "property int a\nend_header\n";
+      text += list({1.5, 2}, binary<std::uint8_t>, binary<float>);
+      for(const Point& p : corners)
+        text += '\7' + write(p[2], is_big) + write(p[1], is_big) +
+                list({7, p[0]}, binary<std::uint8_t>, binary<std::int32_t>) + write(p[0], is_big);
+      for(const std::vector<double>& face : {std::vector<double>{0, 1, 2}, {0, 2, 3}})
+        text += list({0.5}, binary<std::int32_t>, binary<float>) +
+                list(face, binary<std::uint8_t>, binary<std::uint16_t>) + binary<float>(0.25, is_big);
+      text += binary<std::int32_t>(1, is_big);
+      const Temporary_folder folder;
+      CAPTURE(type, is_big);
+      const Map map = check_map(folder.add("in.ply", text), {"--cut", "none"}).map;
+      REQUIRE(map.points.size() >= corners.size());
+      CHECK(std::equal(corners.begin(), corners.end(), map.points.begin()));
+    }
+}
+
 TEST_CASE("OBJ files are read with all that the format has")
 {
   const std::string text = obj(small);

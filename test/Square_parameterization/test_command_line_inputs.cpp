@@ -147,6 +147,20 @@ TEST_CASE("seams are read with comments, and refused with their line")
     check_refusal(folder, {input, "--seams", folder.add("seams", missing)}, BAD_FILE, "which no mapped face has");
 }
 
+TEST_CASE("seams with comments cut as they do without")
+{
+  const Soup tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(tetrahedron)), map = folder / "map.obj";
+  const auto map_with = [&](const std::string& seams) {
+    CHECK(square_map({input, "-q", "--seams", folder.add("seams", seams), "-o", map}).status == DONE);
+    return read_file(map);
+  };
+  const std::string plain = map_with("0 1\n1 2\n");
+  CHECK(map_with("# two edges\n0 1 # the first\n\n1 2# the last\n") == plain);
+  CHECK(map_with("0 1\n") != plain);
+}
+
 TEST_CASE("seams that are not a file are refused")
 {
   const Temporary_folder folder;

@@ -134,10 +134,11 @@ private:
             gains_at_most(Minimizer_numbers::TOLERANCES_OF_LONG_RUN * tolerance, history, Minimizer_numbers::LONG_RUN));
   }
 
-  /// indicates whether a map has cost what it may, which is more while its energy falls fast
+  /// indicates whether a map has cost what it may, which is more while its energy falls fast and is not hopeless
   static bool has_cost_enough(long work, long most, const std::vector<double>& history)
   {
-    const bool falls_fast = history.size() > Minimizer_numbers::LONG_RUN &&
+    const bool falls_fast = history.back() < Minimizer_numbers::HOPELESS_RESULT &&
+                            history.size() > Minimizer_numbers::LONG_RUN &&
                             !gains_at_most(Minimizer_numbers::FAST_FALL, history, Minimizer_numbers::LONG_RUN);
     return work > most && !(falls_fast && work / Minimizer_numbers::MOST_TIMES_WORK <= most);
   }

@@ -253,9 +253,10 @@ struct Minimizer_numbers
   /// 0.8 % at most as it is.
   static constexpr long MOST_FINAL_SWEEPS_OF_MORE = 80;
 
-  /// times all that, at most, where it is a map that is not hopeless by `HOPELESS_RESULT`, and whose energy has fallen by the share `FAST_FALL` in its last `LONG_RUN` of steps: small
-  /// surfaces with spikes and polygons split between their corners come down from a stretch of hundreds to one of tens so.
-  /// A lower share, as 0.003: a thing with fins takes a quarter longer, to be stretched 0.7 % less.
+  /// times all that, at most, for a map that is not hopeless by `HOPELESS_RESULT`, and of which the energy has fallen by the
+  /// share `FAST_FALL` in its last `LONG_RUN` of steps: small surfaces with spikes and polygons split between their corners
+  /// come down from a stretch of hundreds to one of tens so. A lower share, as 0.003: a thing with fins takes a quarter
+  /// longer, to be stretched 0.7 % less.
   static constexpr long MOST_TIMES_WORK = 3;
   static constexpr double FAST_FALL = 0.01;
 

@@ -31,6 +31,13 @@ def processor():
     return 'unknown'
 
 
+def write_off(path, points, faces):
+    with open(path, 'w', encoding='ascii') as file:
+        file.write('OFF\n%d %d 0\n' % (len(points), len(faces)))
+        file.writelines('%.17g %.17g %.17g\n' % point for point in points)
+        file.writelines('%d %s\n' % (len(face), ' '.join(map(str, face))) for face in faces)
+
+
 class Programs:
     def __init__(self, arguments):
         self.bin, self.repeat = arguments.bin.resolve(), arguments.repeat

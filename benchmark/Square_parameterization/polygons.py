@@ -41,13 +41,6 @@ def polygons(corners):
     return result
 
 
-def write(path, points):
-    with open(path, 'w', encoding='ascii') as file:
-        file.write('OFF\n%d 1 0\n' % len(points))
-        file.writelines('%.17g %.17g 0\n' % point for point in points)
-        file.write('%d %s\n' % (len(points), ' '.join(map(str, range(len(points))))))
-
-
 def main():
     parser = measured_jobs.parser(__doc__)
     parser.add_argument('--corners', type=int, default=2000, help='about; default 2000')
@@ -58,7 +51,7 @@ def main():
     for name, points in polygons(arguments.corners).items():
         row = [name]
         for corners in [points[2::-1] + points[3:], points]:
-            write(path, corners)
+            measured_jobs.write_off(path, [(*corner, 0) for corner in corners], [range(len(corners))])
             job = programs.job(path, 1, '--triangulate')
             row += [job['faces'], '%.3f' % job['l2'], job['seconds']]
         rows.append(row)

@@ -60,13 +60,6 @@ def shapes(faces):
     return result
 
 
-def write(path, points, faces):
-    with open(path, 'w', encoding='ascii') as file:
-        file.write('OFF\n%d %d 0\n' % (len(points), len(faces)))
-        file.writelines('%.17g %.17g %.17g\n' % point for point in points)
-        file.writelines('3 %d %d %d\n' % face for face in faces)
-
-
 def main():
     parser = measured_jobs.parser(__doc__)
     parser.add_argument('--faces', type=int, default=7200, help='of each shape, about; default 7200')
@@ -75,7 +68,7 @@ def main():
     path = pathlib.Path(programs.folder.name) / 'shape.off'
     rows = []
     for name, (points, faces) in shapes(arguments.faces).items():
-        write(path, points, faces)
+        measured_jobs.write_off(path, points, faces)
         job = programs.job(path, 1)
         rows.append([name, len(faces), job['faces'], '%.4f' % job['l2'], job['seconds']])
     least = min(row[-1] for row in rows if row[0].startswith('bump'))

@@ -323,6 +323,30 @@ TEST_CASE("a map whose energy falls fast may cost up to three times as much")
   CHECK(have_cost_most.size() == 2);
 }
 
+TEST_CASE(
+    "a stretched map that is delivered is done when thirty steps have gained less than a thousandth of its energy")
+{
+  const Patch patch = make_patch_of(rectangle(500, 2, 500, 2, 4));
+  const Balanced_minimization options = minimization_of(0.3, true);
+  const Balanced_minimizer minimizer(patch, options);
+  Balanced_minimizer::Workspace workspace;
+  const auto history_of = [&](double tolerance) {
+    const Minimized_map map = minimizer.minimize({some_map(patch), {}, {}}, tolerance, {600}, workspace);
+    REQUIRE(map.report.stop_reason == Stop_reason::CONVERGED);
+    return map.report.history;
+  };
+  const std::vector<double> delivered = history_of(options.tolerance), further = history_of(1.01 * options.tolerance);
+  REQUIRE(delivered.back() > Minimizer_numbers::STRETCHED);
+  REQUIRE(delivered.size() < further.size());
+  CHECK(std::equal(delivered.begin(), delivered.end(), further.begin())); // the same steps, and fewer
+  const auto gains_little = [&](std::size_t steps) {
+    const double energy = delivered[steps];
+    return delivered[steps - Minimizer_numbers::LONG_RUN] - energy <= 1e-3 * energy;
+  };
+  CHECK(gains_little(delivered.size() - 1));
+  CHECK_FALSE(gains_little(delivered.size() - 2));
+}
+
 TEST_CASE("settling a map mends what one vertex spoils")
 {
   const Patch patch = make_patch_of(cone(6, 6, 19));

@@ -24,12 +24,13 @@ namespace CGAL_ext {
 /// samples, is sampled again, until no valley promises less than the best candidate known. On a curve with several
 /// valleys the largest gaps are sampled, too. Maps start from those of their neighbors.
 ///
-/// Where the problem has sketches, as for meshes of 8000 vertices and more, these are searched instead: 32 even samples,
+/// Where the problem has sketches, as for meshes of 7000 vertices and more, these are searched instead: 32 even samples,
 /// then about as many between the best of them and its neighbors, and so on. It settles for the candidate with the best
 /// sketch, which is the only one that is mapped.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
-/// the maps and sketches have cost as much as those of fifty candidates of an even surface. On a mesh of 2500 vertices and
+/// the maps and sketches have cost as much as those of twenty-five candidates of an even surface, or fifty where it has 2500
+/// vertices or fewer. On a mesh of 2500 vertices and
 /// more the first candidate is the only one when its map costs as much as those of nineteen, and where there are sketches,
 /// when its sketch is stretched tens of thousands of times, or a hundred times and costs as much as twelve.
 ///
@@ -87,14 +88,14 @@ private:
   int affordable_samples(const Corner_search_problem& problem) const
   {
     const double work = problem.work ? problem.work() : 0;
-    return work * m_samples > internal::MOST_SEARCH_WORK ? static_cast<int>(internal::MOST_SEARCH_WORK / work)
-                                                         : m_samples;
+    const double most = internal::most_search_work(problem.number_of_vertices);
+    return work * m_samples > most ? static_cast<int>(most / work) : m_samples;
   }
 
   /// indicates whether no more is to be spent on the search
   static bool has_cost_too_much(const Corner_search_problem& problem)
   {
-    return problem.work && problem.work() > internal::MOST_SEARCH_WORK;
+    return problem.work && problem.work() > internal::most_search_work(problem.number_of_vertices);
   }
 
   /// a ring of which no more candidates are evaluated than the bound, and none when those before were too costly

@@ -34,7 +34,7 @@ struct Corner_search_problem
   std::function<std::vector<double>(const std::vector<int>&)> objective_from_neighbors;
 
   /// the objective of the given candidates on a coarser mesh, concurrently: a fraction of the cost, comparable among such
-  /// values only, and lowest near the candidate whose `objective_of` is lowest. Empty when the mesh has fewer than 8000
+  /// values only, and lowest near the candidate whose `objective_of` is lowest. Empty when the mesh has fewer than 7000
   /// vertices, and when the minimizer has no coarser meshes.
   std::function<std::vector<double>(const std::vector<int>&)> sketched_objective_of;
 

@@ -152,6 +152,10 @@ struct Minimizer_numbers
   static constexpr std::size_t MANY_STEPS = 100;
   static constexpr double TOLERANCES_OF_LONG_RUN = 200;
 
+  /// the same of a map that is delivered and stretched (see `STRETCHED`), after any number of steps. Fewer, as 500: strips take
+  /// up to half as long again, for 0.1 to 0.9 % less stretch. Coarse maps, too: strips are stretched up to 1.3 % more.
+  static constexpr double TOLERANCES_OF_STRETCHED = 1000;
+
   /// share of the way to the first triangle without area that a step may go; see `STAR_SAFETY`
   static constexpr double STEP_SAFETY = 0.9;
 
@@ -164,10 +168,12 @@ struct Minimizer_numbers
   static constexpr double BLOCKED_STEP = 0.02;
 
   /// energy from which on a map counts as stretched, ten times or more, and vertices of its patch, at least: see
-  /// `Balanced_steps::factorize()`. Less of either: coarse maps by which cuts and corners are compared change, for the worse as
-  /// often as for the better; more vertices, as 700: a spiral of 8000 faces is stretched 0.5 % more.
+  /// `Balanced_steps::factorize()`, and `TOLERANCES_OF_STRETCHED`. Less of either: coarse maps by which cuts and corners are
+  /// compared change, for the worse as often as for the better; more vertices, as 700: a spiral of 8000 faces is stretched 0.5 % more.
   static constexpr double STRETCHED = 200;
   static constexpr int SMALLEST_STRETCHED = 500;
+
+  static bool is_stretched(double energy, int vertices) { return energy > STRETCHED && vertices >= SMALLEST_STRETCHED; }
 
   /// directions that are tried to go round triangles: vertices that stay make others stand in the way
   static constexpr int MAXIMUM_ROUNDABOUTS = 4;
@@ -184,7 +190,7 @@ struct Minimizer_numbers
 
   /// the same of a direction that is tried to go round triangles, with the factors that are taken anew after it; times
   /// `growth_of_roundabouts()`
-  static constexpr double ROUNDABOUT_WORK = 2;
+  static constexpr double ROUNDABOUT_WORK = 3;
 
   /// the same, at least, in what the whole map counts for, where it ends above `LOST_RESULT`: triangles stand in the way of
   /// most of its steps, and other maps are worth more. Less: surfaces of a thousand faces take more than a second, in vain.
@@ -245,7 +251,7 @@ struct Minimizer_numbers
   /// cost of the steps on the map that is delivered, in sweeps over the mesh, after which there are no more; a mesh that has
   /// fewer than `FINAL_VERTICES` counts as if it had as many. What several starts have cost, or one that is hopeless, is
   /// taken off, but for a quarter. Less: maps stretched tens of times are left before they are near their minimum.
-  static constexpr long MOST_FINAL_SWEEPS = 290;
+  static constexpr long MOST_FINAL_SWEEPS = 350;
   static constexpr int FINAL_VERTICES = 20000;
 
   /// the same for each vertex beyond these, of a map that is not hopeless by then: long strips and polygons take hundreds of
@@ -293,8 +299,9 @@ struct Minimizer_numbers
            LEAST_PER_BORDER_VERTEX * border_vertices <= vertices;
   }
 
-  /// vertices from which on a patch is sketched: below, maps cost little more than sketches
-  static constexpr int SMALLEST_SKETCHED = 8000;
+  /// vertices from which on a patch is sketched. More: closed surfaces and strips of 7500 vertices take a third longer, for the
+  /// same maps; fewer, as 5000: strips are stretched up to 2 % more, and other surfaces 0.1 %.
+  static constexpr int SMALLEST_SKETCHED = 7000;
 
   /// vertices of a patch per vertex of its sketch, at least: else a sketch saves little
   static constexpr int LEAST_SKETCH_RATIO = 4;

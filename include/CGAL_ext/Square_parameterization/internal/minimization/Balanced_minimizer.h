@@ -89,7 +89,8 @@ public:
   }
 
   /// \param tolerance relative: ends when a step promises less, or the last five steps together gained less, or after many
-  ///        steps the last thirty less than 200 times as much
+  ///        steps the last thirty less than 200 times as much, or 1000 times where the map is stretched ten times or more and
+  ///        is to be delivered
   /// \pre the map has no flips and its border lies on the unit square; a map of this minimizer is continued, its
   ///      iterations and its history, too
   Minimized_map minimize(Minimized_map map, double tolerance, const Limits& limits, Workspace& workspace) const;
@@ -127,11 +128,16 @@ private:
     return history.size() > steps && history[history.size() - 1 - steps] - history.back() <= share * history.back();
   }
 
-  static bool gains_little(const std::vector<double>& history, double tolerance)
+  bool gains_little(const std::vector<double>& history, double tolerance) const
   {
-    return gains_at_most(tolerance, history, Minimizer_numbers::STEPS_COMPARED) ||
-           (history.size() > Minimizer_numbers::MANY_STEPS &&
-            gains_at_most(Minimizer_numbers::TOLERANCES_OF_LONG_RUN * tolerance, history, Minimizer_numbers::LONG_RUN));
+    typedef Minimizer_numbers Numbers;
+    const bool is_delivered = tolerance <= m_options.tolerance;
+    const bool is_stretched = Numbers::is_stretched(history.back(), m_patch->number_of_vertices());
+    return gains_at_most(tolerance, history, Numbers::STEPS_COMPARED) ||
+           (history.size() > Numbers::MANY_STEPS &&
+            gains_at_most(Numbers::TOLERANCES_OF_LONG_RUN * tolerance, history, Numbers::LONG_RUN)) ||
+           (is_delivered && is_stretched &&
+            gains_at_most(Numbers::TOLERANCES_OF_STRETCHED * tolerance, history, Numbers::LONG_RUN));
   }
 
   /// indicates whether a map has cost what it may, which is more while its energy falls fast and is not hopeless

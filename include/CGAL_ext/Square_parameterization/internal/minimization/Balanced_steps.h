@@ -128,19 +128,14 @@ public:
   long roundabouts() const { return m_roundabouts; }
 
 private:
-  bool is_stretched() const
-  {
-    return m_reached > Minimizer_numbers::STRETCHED &&
-           m_patch.number_of_vertices() >= Minimizer_numbers::SMALLEST_STRETCHED;
-  }
-
   /// takes the matrices at \p uv. Those of a map that is stretched are of the energy and 2 L2^2 times the area, by
   /// which fewer eigenvalues are negative: sheets with fins, which are stretched thirty times, end 1 % lower.
   bool factorize(const Uv_coordinates& uv, const Free_coordinates& moves)
   {
+    const bool is_stretched = Minimizer_numbers::is_stretched(m_reached, m_patch.number_of_vertices());
     return m_preconditioner.factorize(m_energy, uv, moves, m_workspace.preconditioner,
-                                      is_stretched() ? m_energy.twice_squared_l2(uv, m_energy.scale(uv))
-                                                     : Balanced_energy::AREA_MULTIPLE);
+                                      is_stretched ? m_energy.twice_squared_l2(uv, m_energy.scale(uv))
+                                                   : Balanced_energy::AREA_MULTIPLE);
   }
 
   /// far from the minimum the Hessian changes more from step to step

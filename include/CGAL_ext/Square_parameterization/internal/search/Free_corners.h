@@ -40,9 +40,8 @@ public:
     // sketches tell corners apart better than rough maps, also where they save too little to compare all candidates, and
     // where they are maps of the patch itself
     const int n = patch.number_of_vertices();
-    const bool is_between = n > Minimizer_numbers::LARGEST_SKETCH && n < Minimizer_numbers::SMALLEST_SKETCHED;
     const int border = static_cast<int>(patch.border.size());
-    const bool is_sketched = is_between || Minimizer_numbers::moves_corners_twice(n, border);
+    const bool is_sketched = n > Minimizer_numbers::LARGEST_SKETCH || Minimizer_numbers::moves_corners_twice(n, border);
     if(minimizer.has_sketches() || (minimizer.has_rough_maps() && is_sketched))
       m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,
                          may_compare);

@@ -10,9 +10,16 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// sweeps over the mesh that maps and sketches may cost until a search makes no more of them: those of fifty candidates of
-/// an even surface
-constexpr double MOST_SEARCH_WORK = 1200;
+/// sweeps over the mesh that maps and sketches may cost until a search makes no more of them: those of twenty-five candidates
+/// of an even surface, and of fifty where the mesh is small. More for large meshes, as 1200 for all: strips take up to half as
+/// long again, for the same corners; less for small ones: surfaces with spikes are stretched more.
+inline double most_search_work(int number_of_vertices)
+{
+  constexpr double MOST_OF_LARGE = 600,
+                   MOST_OF_SMALL = 1200; // of these many vertices and more, of half as many and less
+  constexpr double LARGE = 5000;
+  return (std::clamp)(MOST_OF_LARGE * LARGE / (std::max)(number_of_vertices, 1), MOST_OF_LARGE, MOST_OF_SMALL);
+}
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be
 /// mapped, too: surfaces of the usual kinds take up to 410, those that are nearly all fins, nails or coils 470 to 890.
@@ -40,7 +47,7 @@ constexpr int MOST_VERTICES_OF_MAP = 10000;
 /// what the maps of a search may cost, in vertices visited, until it makes no more of them
 inline double most_work_of_search(int number_of_vertices)
 {
-  return MOST_SEARCH_WORK * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
+  return most_search_work(number_of_vertices) * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
 }
 
 /// the same where they are those of several starts, beyond what starts may cost on any surface
@@ -74,14 +81,16 @@ inline double most_work_of_first_start(int number_of_vertices)
                                                     : MOST_WORK_OF_FIRST_START * number_of_vertices;
 }
 
-/// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
-/// than half of a search; a mesh counts for `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several places,
-/// with all moves.
+/// sweeps over the mesh that rough maps and sketches may cost until the corners of a square stay where they are
+constexpr double MOST_MOVING_WORK = 600;
+
+/// the same in vertices visited; a mesh counts for `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several
+/// places, with all moves.
 inline double most_moving_work(bool is_square, int number_of_vertices)
 {
-  return is_square ? 0.5 * MOST_SEARCH_WORK *
+  return is_square ? MOST_MOVING_WORK *
                          (std::clamp)(number_of_vertices, LEAST_VERTICES_OF_COSTLY_MAP, MOST_VERTICES_OF_SKETCH)
-                   : 5 * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
+                   : 10 * MOST_MOVING_WORK * MOST_VERTICES_OF_SKETCH;
 }
 
 /// vertices of a disk that a cut leaves of a surface of a thousand faces, at most, as a rule

@@ -316,7 +316,11 @@ TEST_CASE("a map whose energy falls fast may cost up to three times as much")
                                   .minimize({some_map(patch), {}, {}}, 0, {600, most}, workspace);
     REQUIRE(map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS);
     CHECK(map.work > most + step);
-    const bool has_cost_most = map.work > Minimizer_numbers::MOST_TIMES_WORK * most;
+    // directions round triangles count for more than in the work of the map
+    const double of_steps = double(step * map.report.iterations);
+    const double counted = of_steps + Minimizer_numbers::ROUNDABOUT_WORK_OF_DELIVERED /
+                                          Minimizer_numbers::ROUNDABOUT_WORK * (double(map.work) - of_steps);
+    const bool has_cost_most = counted > double(Minimizer_numbers::MOST_TIMES_WORK * most);
     CHECK(falls_fast(map.report.history) == has_cost_most);
     have_cost_most.insert(has_cost_most);
   }
@@ -326,7 +330,7 @@ TEST_CASE("a map whose energy falls fast may cost up to three times as much")
 TEST_CASE(
     "a stretched map that is delivered is done when thirty steps have gained less than a thousandth of its energy")
 {
-  const Patch patch = make_patch_of(rectangle(500, 2, 500, 2, 4));
+  const Patch patch = make_patch_of(rectangle(700, 2, 700, 2, 4));
   const Balanced_minimization options = minimization_of(0.3, true);
   const Balanced_minimizer minimizer(patch, options);
   Balanced_minimizer::Workspace workspace;

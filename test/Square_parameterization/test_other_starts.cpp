@@ -86,3 +86,30 @@ TEST_CASE("another start that leads to the same hopeless map is the last")
     CHECK_FALSE(do_agree(lost, lost));
   }
 }
+
+TEST_CASE("a border that is fixed first slides in the end, to the map of the usual start")
+{
+  const Patch patch = make_patch_of(noisy_height_field(12));
+  const Corners corners{0, 12, 24, 36};
+  const Square_map_settings settings;
+  const auto starts = other_starts(patch, std::get<Balanced_minimization>(settings.minimization), {});
+  const auto fixed_first = std::find_if(starts.begin(), starts.end(), [](const Other_start& other) {
+    return other.start == Map_start::FIXED_BORDER_FIRST;
+  });
+  REQUIRE(fixed_first != starts.end());
+  Search_outcome outcome = map_with_corners(patch, *fixed_first->make_minimizer(), corners);
+  const Uv_coordinates fixed = square_border(Border_walk(patch.border_lengths, Walk::COUNTER_CLOCKWISE), corners).uv;
+  const auto is_fixed = [&](const Uv_coordinates& uv) {
+    for(std::size_t k = 0; k < patch.border.size(); ++k)
+      if(uv.row(patch.border[k]) != fixed.row(static_cast<Eigen::Index>(k)))
+        return false;
+    return true;
+  };
+  REQUIRE(is_fixed(outcome.map.uv));
+  const auto usual = make_minimizer(patch, settings.minimization);
+  finish_map(*usual, nullptr, outcome);
+  CHECK_FALSE(is_fixed(outcome.map.uv));
+  Search_outcome usual_outcome = map_with_corners(patch, *usual, corners);
+  finish_map(*usual, nullptr, usual_outcome);
+  CHECK(outcome.map.report.objective == Approx(usual_outcome.map.report.objective).epsilon(1e-5));
+}

@@ -190,7 +190,11 @@ struct Minimizer_numbers
 
   /// the same of a direction that is tried to go round triangles, with the factors that are taken anew after it; times
   /// `growth_of_roundabouts()`
-  static constexpr double ROUNDABOUT_WORK = 3;
+  static constexpr double ROUNDABOUT_WORK = 2;
+
+  /// the same where the steps on a map that is delivered are counted: what it costs on sheets with nails and fins. If all maps
+  /// counted it so, corners would not move on some surfaces that they suit.
+  static constexpr double ROUNDABOUT_WORK_OF_DELIVERED = 3;
 
   /// the same, at least, in what the whole map counts for, where it ends above `LOST_RESULT`: triangles stand in the way of
   /// most of its steps, and other maps are worth more. Less: surfaces of a thousand faces take more than a second, in vain.

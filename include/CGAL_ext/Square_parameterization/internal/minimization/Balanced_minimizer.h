@@ -110,14 +110,15 @@ private:
   }
 
   /// what steps and directions round triangles cost, in vertices visited
-  /// \param least_of_roundabout what one of these costs at least, in sweeps
-  long work_of(long steps, long roundabouts, double least_of_roundabout = 0) const
+  /// \param of_roundabout what one of these costs where the patch is small, in sweeps
+  /// \param least_of_roundabout the same at least, wherever
+  long work_of(long steps, long roundabouts, double of_roundabout, double least_of_roundabout = 0) const
   {
     const int vertices = m_patch->number_of_vertices();
-    const double of_roundabout = (std::max)(
-        least_of_roundabout, Minimizer_numbers::ROUNDABOUT_WORK * Minimizer_numbers::growth_of_roundabouts(vertices));
+    const double sweeps =
+        (std::max)(least_of_roundabout, of_roundabout * Minimizer_numbers::growth_of_roundabouts(vertices));
     return Minimizer_numbers::STEP_WORK * steps * vertices +
-           static_cast<long>(of_roundabout * static_cast<double>(roundabouts) * vertices);
+           static_cast<long>(sweeps * static_cast<double>(roundabouts) * vertices);
   }
 
   bool is_border_sliding() const { return m_options.border == Border_motion::SLIDING; }

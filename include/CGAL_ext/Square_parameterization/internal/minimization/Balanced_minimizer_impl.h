@@ -73,7 +73,8 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Balanced_minimizer::minimize(Minimized_ma
   const unsigned int first_iteration = report.iterations;
   while(true) {
     if(report.iterations >= limits.iterations ||
-       has_cost_enough(work_of(report.iterations, steps.roundabouts()), limits.work, report.history)) {
+       has_cost_enough(work_of(report.iterations, steps.roundabouts(), Minimizer_numbers::ROUNDABOUT_WORK_OF_DELIVERED),
+                       limits.work, report.history)) {
       report.stop_reason = Stop_reason::MAXIMUM_ITERATIONS;
       break;
     }
@@ -105,7 +106,7 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Balanced_minimizer::minimize(Minimized_ma
     }
   }
   const bool is_lost = report.objective > Minimizer_numbers::LOST_RESULT;
-  map.work += work_of(report.iterations - first_iteration, steps.roundabouts(),
+  map.work += work_of(report.iterations - first_iteration, steps.roundabouts(), Minimizer_numbers::ROUNDABOUT_WORK,
                       is_lost ? Minimizer_numbers::ROUNDABOUT_WORK_OF_LOST : 0);
   report.gradient_norm = std::sqrt(dot(workspace.gradient, workspace.gradient));
   measure_stretch(map);

@@ -11,14 +11,13 @@ namespace CGAL_ext {
 namespace internal {
 
 /// sweeps over the mesh that maps and sketches may cost until a search makes no more of them: those of twenty-five candidates
-/// of an even surface, and of fifty where the mesh is small. More for large meshes, as 1200 for all: strips take up to half as
-/// long again, for the same corners; less for small ones: surfaces with spikes are stretched more.
+/// of an even surface where it has 5000 vertices or more, and of fifty where it has half as many or fewer. More for large
+/// ones, as 1200 for all: strips take up to half as long again, for the same corners; less for small ones: surfaces with
+/// spikes are stretched more.
 inline double most_search_work(int number_of_vertices)
 {
-  constexpr double MOST_OF_LARGE = 600,
-                   MOST_OF_SMALL = 1200; // of these many vertices and more, of half as many and less
-  constexpr double LARGE = 5000;
-  return (std::clamp)(MOST_OF_LARGE * LARGE / (std::max)(number_of_vertices, 1), MOST_OF_LARGE, MOST_OF_SMALL);
+  constexpr double LEAST = 600, VERTICES = 5000;
+  return LEAST * (std::clamp)(VERTICES / (std::max)(number_of_vertices, 1), 1., 2.);
 }
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be

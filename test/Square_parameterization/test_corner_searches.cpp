@@ -217,17 +217,21 @@ TEST_CASE("bracketing ends early where maps are slow, and not where they are not
   conditions.number_of_vertices = 5000; // of which a single map takes long
   CHECK(search_curve(curve, Bracketing_corner_search(), conditions).evaluations == 1);
   conditions.work_per_map = 400; // that of an ordinary surface, at most
-  const auto evaluations_of = [&](int vertices) {
+  const auto evaluations_of = [&](int vertices, double multiple) {
     Search_conditions of_mesh = conditions;
     of_mesh.number_of_vertices = vertices;
-    return search_curve(curve, Bracketing_corner_search(), of_mesh).evaluations;
+    Stretch_curve of_energies = curve;
+    for(double& energy : of_energies)
+      energy *= multiple;
+    return search_curve(of_energies, Bracketing_corner_search(), of_mesh).evaluations;
   };
-  CHECK(evaluations_of(2500) > 3);
-  CHECK(evaluations_of(5000) == 3); // of a large mesh half the sweeps are enough
-  CHECK(evaluations_of(1) == evaluations_of(2500));
-  CHECK(evaluations_of(50000) == evaluations_of(5000));
+  CHECK(evaluations_of(5000, 1) > 3);
+  CHECK(evaluations_of(5000, 1000) == 3); // half the sweeps for a large mesh that is stretched ten times
+  CHECK(evaluations_of(50000, 1000) == 3);
+  for(int vertices : {1, 2500})
+    CHECK(evaluations_of(vertices, 1000) == evaluations_of(5000, 1));
 
-  conditions.work_per_map = 500;
+  conditions.work_per_map = 1000;
   conditions.sketched_stretch = valley(400, 140);
   const Search_report slow_sketches = search_curve(curve, Bracketing_corner_search(), conditions);
   CHECK(slow_sketches.sketches == 4);

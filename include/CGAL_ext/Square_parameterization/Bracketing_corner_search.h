@@ -29,10 +29,10 @@ namespace CGAL_ext {
 /// sketch, which is the only one that is mapped.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
-/// the maps and sketches have cost as much as those of twenty-five candidates of an even surface, or fifty where it has 2500
-/// vertices or fewer. On a mesh of 2500 vertices and more the first candidate is the only one when its map costs as much as
-/// those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of times, or a hundred
-/// times and costs as much as twelve.
+/// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five where the best
+/// one so far is stretched ten times or more, on 5000 vertices or more. On a mesh of 2500 vertices and more the first
+/// candidate is the only one when its map costs as much as those of nineteen, and where there are sketches, when its sketch
+/// is stretched tens of thousands of times, or a hundred times and costs as much as twelve.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
 /// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the
@@ -63,7 +63,7 @@ public:
     samples.evaluate({0});
     if(is_first_too_costly(problem))
       return;
-    const std::vector<int> even = samples.ring.even_candidates(affordable_samples(problem));
+    const std::vector<int> even = samples.ring.even_candidates(affordable_samples(samples));
     samples.evaluate({even.begin(), even.end()});
     close_in(samples);
   }
@@ -84,18 +84,16 @@ private:
     return std::isfinite(objective) && objective > (is_costly ? Numbers::HOPELESS_SKETCH : Numbers::HOPELESS_RESULT);
   }
 
-  /// as many samples as the work for the first candidate allows, which is known by now
-  int affordable_samples(const Corner_search_problem& problem) const
+  /// what a search may cost whose best candidate so far is that of the ring
+  static double most_work(const Corner_search_problem& problem, const internal::Candidate_ring& ring)
   {
-    const double work = problem.work ? problem.work() : 0;
-    const double most = internal::most_search_work(problem.number_of_vertices);
-    return work * m_samples > most ? static_cast<int>(most / work) : m_samples;
+    return internal::most_search_work(problem.number_of_vertices, ring.objective(ring.best()));
   }
 
   /// indicates whether no more is to be spent on the search
-  static bool has_cost_too_much(const Corner_search_problem& problem)
+  static bool has_cost_too_much(const Corner_search_problem& problem, const internal::Candidate_ring& ring)
   {
-    return problem.work && problem.work() > internal::most_search_work(problem.number_of_vertices);
+    return problem.work && problem.work() > most_work(problem, ring);
   }
 
   /// a ring of which no more candidates are evaluated than the bound, and none when those before were too costly
@@ -126,12 +124,20 @@ private:
 
     bool are_all() const { return ring.number_of_known() == (std::min)(bound, ring.size()) || is_exhausted(); }
 
-    bool is_exhausted() const { return ring.number_of_known() > 0 && has_cost_too_much(problem); }
+    bool is_exhausted() const { return ring.number_of_known() > 0 && has_cost_too_much(problem, ring); }
 
     const Corner_search_problem& problem;
     internal::Candidate_ring ring;
     int bound;
   };
+
+  /// as many samples as the work for the first candidate allows, which is known by now
+  int affordable_samples(const Samples& samples) const
+  {
+    const double work = samples.problem.work ? samples.problem.work() : 0;
+    const double most = most_work(samples.problem, samples.ring);
+    return work * m_samples > most ? static_cast<int>(most / work) : m_samples;
+  }
 
   /// samples valley by valley
   static void close_in(Samples& samples)
@@ -157,11 +163,12 @@ private:
     if(is_first_sketch_lost(problem, ring.objective(0)))
       return 0;
     for(int samples = FIRST_SAMPLES; samples <= SAMPLES; samples *= 2) // each from one of those before
-      if(!has_cost_too_much(problem))
+      if(!has_cost_too_much(problem, ring))
         ring.evaluate(ring.even_candidates(samples));
     if(!std::isfinite(ring.objective(ring.best())))
       return {};
-    for(std::set<int> finer; !has_cost_too_much(problem) && !(finer = samples_around_best(ring, SAMPLES)).empty();)
+    for(std::set<int> finer;
+        !has_cost_too_much(problem, ring) && !(finer = samples_around_best(ring, SAMPLES)).empty();)
       ring.evaluate({finer.begin(), finer.end()});
     return ring.best();
   }

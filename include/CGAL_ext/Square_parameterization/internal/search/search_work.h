@@ -4,20 +4,28 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SEARCH_WORK_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SEARCH_WORK_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL_ext {
 namespace internal {
 
-/// sweeps over the mesh that maps and sketches may cost until a search makes no more of them: those of twenty-five candidates
-/// of an even surface where it has 5000 vertices or more, and of fifty where it has half as many or fewer. More for large
-/// ones, as 1200 for all: strips take up to half as long again, for the same corners; less for small ones: surfaces with
-/// spikes are stretched more.
-inline double most_search_work(int number_of_vertices)
+/// sweeps over the mesh that maps and sketches may cost until a search makes no more of them: those of fifty candidates of
+/// an even surface
+constexpr double MOST_SEARCH_WORK = 1200;
+
+/// the same for a mesh with maps as good as the best one so far: half as much where that is stretched ten times or more, on
+/// 5000 vertices or more. More: strips take up to half as long again, for the same corners. Less where maps are stretched
+/// less: a knot 1 % more; on smaller meshes: surfaces with spikes more.
+inline double most_search_work(int number_of_vertices, double least_objective)
 {
-  constexpr double LEAST = 600, VERTICES = 5000;
-  return LEAST * (std::clamp)(VERTICES / (std::max)(number_of_vertices, 1), 1., 2.);
+  constexpr double VERTICES = 5000;
+  const bool is_stretched = std::isfinite(least_objective) && least_objective > Minimizer_numbers::STRETCHED;
+  return is_stretched ? MOST_SEARCH_WORK * (std::clamp)(VERTICES / 2 / (std::max)(number_of_vertices, 1), 0.5, 1.)
+                      : MOST_SEARCH_WORK;
 }
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be
@@ -46,7 +54,7 @@ constexpr int MOST_VERTICES_OF_MAP = 10000;
 /// what the maps of a search may cost, in vertices visited, until it makes no more of them
 inline double most_work_of_search(int number_of_vertices)
 {
-  return most_search_work(number_of_vertices) * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
+  return MOST_SEARCH_WORK * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
 }
 
 /// the same where they are those of several starts, beyond what starts may cost on any surface
@@ -80,16 +88,14 @@ inline double most_work_of_first_start(int number_of_vertices)
                                                     : MOST_WORK_OF_FIRST_START * number_of_vertices;
 }
 
-/// sweeps over the mesh that rough maps and sketches may cost until the corners of a square stay where they are
-constexpr double MOST_MOVING_WORK = 600;
-
-/// the same in vertices visited; a mesh counts for `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several
-/// places, with all moves.
+/// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
+/// than half of a search; a mesh counts for `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several places,
+/// with all moves.
 inline double most_moving_work(bool is_square, int number_of_vertices)
 {
-  return is_square ? MOST_MOVING_WORK *
+  return is_square ? 0.5 * MOST_SEARCH_WORK *
                          (std::clamp)(number_of_vertices, LEAST_VERTICES_OF_COSTLY_MAP, MOST_VERTICES_OF_SKETCH)
-                   : 10 * MOST_MOVING_WORK * MOST_VERTICES_OF_SKETCH;
+                   : 5 * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
 }
 
 /// vertices of a disk that a cut leaves of a surface of a thousand faces, at most, as a rule

@@ -42,7 +42,7 @@ public:
     const int n = patch.number_of_vertices();
     const int border = static_cast<int>(patch.border.size());
     const bool is_sketched = n > Minimizer_numbers::LARGEST_SKETCH || Minimizer_numbers::moves_corners_twice(n, border);
-    if(minimizer.has_sketches() || (minimizer.has_rough_maps() && is_sketched))
+    if(minimizer.has_rough_maps() && is_sketched)
       m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,
                          may_compare);
     if(minimizer.has_rough_maps())

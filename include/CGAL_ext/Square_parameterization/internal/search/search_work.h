@@ -23,9 +23,9 @@ constexpr double MOST_SEARCH_WORK = 1200;
 inline double most_search_work(int number_of_vertices, double least_objective)
 {
   constexpr double VERTICES = 5000;
-  const bool is_stretched = std::isfinite(least_objective) && least_objective > Minimizer_numbers::STRETCHED;
-  return is_stretched ? MOST_SEARCH_WORK * (std::clamp)(VERTICES / 2 / (std::max)(number_of_vertices, 1), 0.5, 1.)
-                      : MOST_SEARCH_WORK;
+  const bool is_stretched =
+      std::isfinite(least_objective) && Minimizer_numbers::is_stretched(least_objective, number_of_vertices);
+  return is_stretched ? MOST_SEARCH_WORK * (std::clamp)(VERTICES / 2 / number_of_vertices, 0.5, 1.) : MOST_SEARCH_WORK;
 }
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be

@@ -414,8 +414,9 @@ TEST_CASE("the other starts have a fixed order, and each leads to a map; the las
     (moved == 0 ? fixed : sliding).push_back(start.start);
     CHECK((moved == 0 || fixed.empty()));
   }
-  CHECK(sliding == std::vector<Map_start>{Map_start::GRADUAL_COARSENING, Map_start::UNIFORM_WEIGHTS,
-                                          Map_start::MEAN_VALUE_WEIGHTS});
+  CHECK(sliding == std::vector<Map_start>{Map_start::UNIFORM_WEIGHTS, Map_start::GRADUAL_COARSENING,
+                                          Map_start::MEAN_VALUE_WEIGHTS, Map_start::GRADUAL_COARSENING_UNIFORM_WEIGHTS,
+                                          Map_start::GRADUAL_COARSENING_MEAN_VALUE_WEIGHTS});
   CHECK(fixed == std::vector<Map_start>{Map_start::FIXED_BORDER_FIRST, Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS,
                                         Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS});
   Balanced_minimization with_fixed_border;

@@ -29,7 +29,7 @@ struct Square_map_settings
   Corner_search search = Bracketing_corner_search();
   Minimization minimization = Balanced_minimization(); ///< how each candidate is mapped
   Square_search_options search_options;                ///< corner rule, walk, threads, visitor and callback
-  /// whether other starts are tried where that of the minimization leads to no map or to a hopeless one (`Map_start`).
+  /// whether other starts are tried where that of the minimization leads to no map or to a poor one (`Map_start`).
   /// Without them the curve of a search is that of one start.
   bool tries_other_starts = true;
   Chords chords = Chords::ALL; ///< which chords are split

@@ -25,20 +25,25 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationResults
 ///
 /// what the minimization of the balanced energy began with. Where the start of the options leads to no map, or to one
-/// with an L2 stretch of the order of a thousand, which is a start lost in rounding more often than the surface, the
-/// others are tried in this order, until one does better than that or, when there is a map, until they have cost too much,
-/// or one leads to the energy of the best; the best map is delivered. All of them make the mesh coarser in small steps, each by
-/// an eighth of the vertices instead of half of them.
+/// with an L2 stretch of some hundred, which is a start lost in rounding more often than the surface, the others are tried,
+/// first one with other weights, then `GRADUAL_COARSENING`, then the others in this order, until one does better than that
+/// or, when there is a map, until they have cost too much, or one leads to the energy of the best; the best map is delivered.
+/// Weights that are those of the options are not tried again. Gradual coarsening takes an eighth of the vertices at a time
+/// away instead of half of them, also where the border is fixed first.
 enum class Map_start
 {
-  AS_CHOSEN,                          ///< that of the options
-  GRADUAL_COARSENING,                 ///< that of the options, but in small steps
-  BLENDED_WEIGHTS,                    ///< a first map by `Blended_weights`, unless these are the weights of the options
-  UNIFORM_WEIGHTS,                    ///< a first map by `Uniform_weights`
-  MEAN_VALUE_WEIGHTS,                 ///< a first map by `Mean_value_weights`
-  FIXED_BORDER_FIRST,                 ///< minimised with a fixed border, and only then with a sliding one
-  FIXED_BORDER_FIRST_UNIFORM_WEIGHTS, ///< the same with a first map by `Uniform_weights`
-  FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS ///< the same with a first map by `Mean_value_weights`
+  AS_CHOSEN,                             ///< that of the options
+  BLENDED_WEIGHTS,                       ///< a first map by `Blended_weights`
+  UNIFORM_WEIGHTS,                       ///< a first map by `Uniform_weights`
+  MEAN_VALUE_WEIGHTS,                    ///< a first map by `Mean_value_weights`
+  GRADUAL_COARSENING,                    ///< that of the options, but in small steps
+  GRADUAL_COARSENING_BLENDED_WEIGHTS,    ///< the same with a first map by `Blended_weights`
+  GRADUAL_COARSENING_UNIFORM_WEIGHTS,    ///< the same with a first map by `Uniform_weights`
+  GRADUAL_COARSENING_MEAN_VALUE_WEIGHTS, ///< the same with a first map by `Mean_value_weights`
+  FIXED_BORDER_FIRST,                    ///< minimised with a fixed border, and only then with a sliding one
+  FIXED_BORDER_FIRST_BLENDED_WEIGHTS,    ///< the same with a first map by `Blended_weights`
+  FIXED_BORDER_FIRST_UNIFORM_WEIGHTS,    ///< the same with a first map by `Uniform_weights`
+  FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS  ///< the same with a first map by `Mean_value_weights`
 };
 
 /// \ingroup PkgSquareParameterizationResults

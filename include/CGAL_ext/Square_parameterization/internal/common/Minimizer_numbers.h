@@ -317,15 +317,20 @@ struct Minimizer_numbers
   /// energy of a costly sketch above which others are not worth their time: they are stretched alike
   static constexpr double HOPELESS_SKETCH = 2e3;
 
-  /// energy of a map that is to be delivered above which other starts are tried: a stretch of the order of a thousand.
-  /// Less: surfaces that are stretched a hundred times whatever one does are mapped four times.
+  /// energy of a map that is to be delivered above which other starts are tried: a stretch of some hundred. Less: surfaces
+  /// that are stretched a hundred times whatever one does are mapped four times; more: some that are stretched ten times from
+  /// another start are stretched hundreds of times.
+  static constexpr double POOR_RESULT = 2e5;
+
+  /// energy of a map above which there is little hope that more work on it, or on its corners, pays: a stretch of the order of
+  /// a thousand
   static constexpr double HOPELESS_RESULT = 1e6;
 
-  /// energy of a map that is compared, above which it stays above `HOPELESS_RESULT` however long it is minimised: other
+  /// energy of a map that is compared, above which it stays above `POOR_RESULT` however long it is minimised: other
   /// starts are tried before. Less: a map that would do is left for one that is a little worse.
   static constexpr double LOST_RESULT = 1e9;
 
-  /// relative difference of two energies, at most, at which another start has led to the same hopeless map: no more are
+  /// relative difference of two energies, at most, at which another start has led to the same poor map: no more are
   /// tried. Less: surfaces of a thousand faces take more than a second, in vain.
   static constexpr double AGREEMENT_OF_STARTS = 0.02;
 

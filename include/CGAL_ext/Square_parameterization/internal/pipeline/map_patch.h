@@ -53,7 +53,7 @@ inline bool has_map(const Search_outcome& outcome)
 
 /// indicates whether the search has found no map, or one that must be the fault of its start
 /// \param least energy of such a map
-inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_numbers::HOPELESS_RESULT)
+inline bool is_poor(const Search_outcome& outcome, double least = Minimizer_numbers::POOR_RESULT)
 {
   return !(outcome.map.report.objective < least);
 }
@@ -63,12 +63,12 @@ inline bool is_hopeless(const Search_outcome& outcome, double least = Minimizer_
 inline bool do_agree(const Search_outcome& a, const Search_outcome& b)
 {
   const double difference = std::abs(a.map.report.objective - b.map.report.objective);
-  return !is_hopeless(a, Minimizer_numbers::LOST_RESULT) && !is_hopeless(b, Minimizer_numbers::LOST_RESULT) &&
+  return !is_poor(a, Minimizer_numbers::LOST_RESULT) && !is_poor(b, Minimizer_numbers::LOST_RESULT) &&
          difference <= Minimizer_numbers::AGREEMENT_OF_STARTS * b.map.report.objective;
 }
 
-/// tries the other starts until one is not hopeless; when there is a map, until all have cost too much, or will with the
-/// next, but one in any case, or one agrees with the best. Where the first has a map and has cost too much, there are
+/// tries the other starts until one is not poor; when there is a map, until all have cost too much, or will with the
+/// next, but `LEAST_OTHER_STARTS` in any case, or one agrees with the best. Where the first has a map and has cost too much, there are
 /// none. `finish_map()` is to follow.
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
@@ -83,16 +83,18 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   const Deadline& deadline = settings.search_options.deadline;
   const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
   double work = best.work;
-  int starts = 1;
+  int others = 0;
   bool is_cancelled = false, is_enough = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
-    if(!is_hopeless(best) || (has_map(best) && is_enough) || is_cancelled || has_passed(deadline))
+    if(!is_poor(best) || (has_map(best) && is_enough) || is_cancelled || has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;
     work += next.work;
-    ++starts;
-    is_enough = do_agree(best, next) || work > most_work || work + work / starts > MOST_EXCESS_OF_STARTS * most_work;
+    ++others;
+    const double work_with_next = work + work / (1 + others);
+    const bool is_too_much = work > most_work || work_with_next > MOST_EXCESS_OF_STARTS * most_work;
+    is_enough = do_agree(best, next) || (is_too_much && others >= LEAST_OTHER_STARTS);
     if(next.map.report.objective < best.map.report.objective) {
       best = std::move(next);
       start = other.start;
@@ -135,21 +137,21 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
   Search_visitor* const visitor = corners ? nullptr : settings.search_options.visitor;
   report.start = Map_start::AS_CHOSEN;
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
-  if(is_hopeless(outcome))
+  if(is_poor(outcome, Minimizer_numbers::HOPELESS_RESULT))
     outcome.map.work_of_starts = static_cast<long>(outcome.work);
-  if(!is_hopeless(outcome, Minimizer_numbers::LOST_RESULT))
-    finish_map(minimizer, visitor, outcome, Minimizer_numbers::HOPELESS_RESULT);
-  if(settings.tries_other_starts && is_hopeless(outcome) && !outcome.report.is_cancelled) {
+  if(!is_poor(outcome, Minimizer_numbers::LOST_RESULT))
+    finish_map(minimizer, visitor, outcome, Minimizer_numbers::POOR_RESULT);
+  if(settings.tries_other_starts && is_poor(outcome) && !outcome.report.is_cancelled) {
     // of polygons more candidates have a map than have one from other starts
     const bool is_polygon = is_mostly_border(patch), goes_on = would_go_on(patch, outcome);
     if(is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
-    if(is_hopeless(outcome) && !outcome.report.is_cancelled)
+    if(is_poor(outcome) && !outcome.report.is_cancelled)
       report.start = try_other_starts(patch, corners, settings, outcome);
     if(!is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
   }
-  if(is_hopeless(outcome) || report.start != Map_start::AS_CHOSEN)
+  if(is_poor(outcome) || report.start != Map_start::AS_CHOSEN)
     finish_map(minimizer, visitor, outcome);
   report.search = outcome.report;
   report.minimization = outcome.map.report;

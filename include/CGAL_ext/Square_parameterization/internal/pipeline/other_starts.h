@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -26,30 +27,58 @@ struct Other_start
   std::function<std::shared_ptr<const Map_minimizer>()> make_minimizer;
 };
 
-/// the starts that are left when that of the options has failed, in the order in which they are tried. All are coarsened
-/// in small steps: most maps that are lost in rounding are found so.
+/// weights of a first map, and the starts that begin with them
+struct Other_weights
+{
+  std::function<Edge_weights(const Patch&)> weights;
+  Map_start usual, gradual, fixed_first;
+};
+
+/// the weights that other starts try, in this order, but for those that were chosen: two or three
+inline std::vector<Other_weights> other_weights(const Balanced_minimization& chosen)
+{
+  std::vector<Other_weights> others;
+  const auto add = [&](const auto& weights, Map_start usual, Map_start gradual, Map_start fixed_first) {
+    if(chosen.start.weights.target<std::decay_t<decltype(weights)>>() == nullptr)
+      others.push_back({weights, usual, gradual, fixed_first});
+  };
+  add(Blended_weights(), Map_start::BLENDED_WEIGHTS, Map_start::GRADUAL_COARSENING_BLENDED_WEIGHTS,
+      Map_start::FIXED_BORDER_FIRST_BLENDED_WEIGHTS);
+  add(Uniform_weights(), Map_start::UNIFORM_WEIGHTS, Map_start::GRADUAL_COARSENING_UNIFORM_WEIGHTS,
+      Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS);
+  add(Mean_value_weights(), Map_start::MEAN_VALUE_WEIGHTS, Map_start::GRADUAL_COARSENING_MEAN_VALUE_WEIGHTS,
+      Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS);
+  return others;
+}
+
+/// the starts that are left when that of the options has failed, in the order in which they are tried. Other weights are the
+/// first, as they are seldom lost on the same surface; then the mesh is made coarse in small steps, which finds most maps
+/// that are lost in rounding whatever the weights.
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
                                              const Deadline& deadline)
 {
-  const auto with_weights = [&patch, &deadline](Balanced_minimization minimization,
-                                                const std::function<Edge_weights(const Patch&)>& weights) {
+  const std::vector<Other_weights> others = other_weights(chosen);
+  std::vector<Other_start> starts;
+  const auto add = [&](Map_start start, Balanced_minimization minimization,
+                       const std::function<Edge_weights(const Patch&)>& weights, Coarsening coarsening) {
     minimization.start.weights = weights;
-    return [&patch, minimization, deadline] {
-      return make_minimizer(patch, minimization, deadline, Coarsening::BY_EIGHTHS);
-    };
+    starts.push_back({start, [&patch, minimization, deadline, coarsening] {
+                        return make_minimizer(patch, minimization, deadline, coarsening);
+                      }});
   };
-  std::vector<Other_start> starts{{Map_start::GRADUAL_COARSENING, with_weights(chosen, chosen.start.weights)}};
-  if(chosen.start.weights.target<Blended_weights>() == nullptr)
-    starts.push_back({Map_start::BLENDED_WEIGHTS, with_weights(chosen, Blended_weights())});
-  starts.push_back({Map_start::UNIFORM_WEIGHTS, with_weights(chosen, Uniform_weights())});
-  starts.push_back({Map_start::MEAN_VALUE_WEIGHTS, with_weights(chosen, Mean_value_weights())});
+  add(others.front().usual, chosen, others.front().weights, Coarsening::BY_HALVES);
+  add(Map_start::GRADUAL_COARSENING, chosen, chosen.start.weights, Coarsening::BY_EIGHTHS);
+  for(auto other = others.begin() + 1; other != others.end(); ++other)
+    add(other->usual, chosen, other->weights, Coarsening::BY_HALVES);
+  for(const Other_weights& other : others)
+    add(other.gradual, chosen, other.weights, Coarsening::BY_EIGHTHS);
   const bool can_slide = patch.border.size() > 4; // else all border vertices are corners, and stay
   if(chosen.border != Border_motion::FIXED && can_slide) {
     Balanced_minimization fixed = chosen;
     fixed.border = Border_motion::FIXED;
-    starts.push_back({Map_start::FIXED_BORDER_FIRST, with_weights(fixed, fixed.start.weights)});
-    starts.push_back({Map_start::FIXED_BORDER_FIRST_UNIFORM_WEIGHTS, with_weights(fixed, Uniform_weights())});
-    starts.push_back({Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS, with_weights(fixed, Mean_value_weights())});
+    add(Map_start::FIXED_BORDER_FIRST, fixed, chosen.start.weights, Coarsening::BY_EIGHTHS);
+    for(const Other_weights& other : others)
+      add(other.fixed_first, fixed, other.weights, Coarsening::BY_EIGHTHS);
   }
   return starts;
 }

@@ -76,6 +76,10 @@ inline double most_work_of_starts(int number_of_vertices)
 /// than two seconds, in vain.
 constexpr double MOST_EXCESS_OF_STARTS = 1.4;
 
+/// other starts that are tried whatever they cost: with other weights, and in small steps. With one of them alone some surfaces
+/// are left with a map that the other leads out of a stretch of thousands; small steps first, in vain on most, are worse.
+constexpr int LEAST_OTHER_STARTS = 2;
+
 /// sweeps over a mesh of more than `MOST_VERTICES_OF_MAP` vertices that the candidates of the first start may cost for others
 /// to be tried, too: those of polygons with thousands of spikes cost 700 to 1300, and to make such a mesh coarse in
 /// small steps takes half a second before the first map

@@ -51,7 +51,7 @@ TEST_CASE("another start that leads to the same poor map is the last")
   const Square_map_settings settings;
   const auto map_from = [&](const Map_minimizer& minimizer) { return map_with_corners(patch, minimizer, corners); };
   Search_outcome best = map_from(*make_minimizer(patch, settings.minimization));
-  REQUIRE(is_poor(best));
+  REQUIRE(is_poor(best, Minimizer_numbers::HOPELESS_RESULT));
   const auto starts = other_starts(patch, std::get<Balanced_minimization>(settings.minimization), {});
   const Search_outcome second = map_from(*starts.front().make_minimizer());
   const double energy = best.map.report.objective, work = best.work + second.work;
@@ -83,6 +83,20 @@ TEST_CASE("another start that leads to the same poor map is the last")
     lost.map.report.objective = 1e10;
     CHECK_FALSE(do_agree(lost, lost));
   }
+}
+
+TEST_CASE(
+    "where starts cost little other weights come before small steps, more maps are poor, and two starts are tried")
+{
+  const auto first_start = [](int cells) {
+    const Patch patch = make_patch_of(unit_square(cells));
+    return other_starts(patch, {}, {}).front().start;
+  };
+  CHECK(first_start(49) == Map_start::UNIFORM_WEIGHTS); // 2500 vertices
+  CHECK(first_start(50) == Map_start::GRADUAL_COARSENING);
+  CHECK(least_poor_objective(2500) < least_poor_objective(2501));
+  CHECK(least_other_starts(2500) == 2);
+  CHECK(least_other_starts(2501) == 1);
 }
 
 TEST_CASE("weights that are chosen are not tried again, and blended ones are the first of the others")

@@ -25,11 +25,12 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationResults
 ///
 /// what the minimization of the balanced energy began with. Where the start of the options leads to no map, or to one
-/// with an L2 stretch of some hundred, which is a start lost in rounding more often than the surface, the others are tried,
-/// first one with other weights, then `GRADUAL_COARSENING`, then the others in this order, until one does better than that
-/// or, when there is a map, until they have cost too much, or one leads to the energy of the best; the best map is delivered.
-/// Weights that are those of the options are not tried again. Gradual coarsening takes an eighth of the vertices at a time
-/// away instead of half of them, also where the border is fixed first.
+/// with an L2 stretch of some hundred, or thousand where the mesh has more than 2500 vertices, which is a start lost in
+/// rounding more often than the surface, the others are tried, first `GRADUAL_COARSENING` and one with other weights, then
+/// the others in this order, until one does better than that or, when there is a map, until they have cost too much, or one
+/// leads to the energy of the best; the best map is delivered. Weights that are those of the options are not tried again.
+/// Gradual coarsening takes an eighth of the vertices at a time away instead of half of them, also where the border is fixed
+/// first.
 enum class Map_start
 {
   AS_CHOSEN,                             ///< that of the options

@@ -317,13 +317,13 @@ struct Minimizer_numbers
   /// energy of a costly sketch above which others are not worth their time: they are stretched alike
   static constexpr double HOPELESS_SKETCH = 2e3;
 
-  /// energy of a map that is to be delivered above which other starts are tried: a stretch of some hundred. Less: surfaces
-  /// that are stretched a hundred times whatever one does are mapped four times; more: some that are stretched ten times from
-  /// another start are stretched hundreds of times.
+  /// energy of a map that is to be delivered above which other starts are tried where they cost little: a stretch of some
+  /// hundred. Less: surfaces that are stretched a hundred times whatever one does are mapped four times; more: some that are
+  /// stretched ten times from another start are stretched hundreds of times.
   static constexpr double POOR_RESULT = 2e5;
 
-  /// energy of a map above which there is little hope that more work on it, or on its corners, pays: a stretch of the order of
-  /// a thousand
+  /// the same where they cost much; and above which there is little hope that more work on a map, or on its corners, pays: a
+  /// stretch of the order of a thousand
   static constexpr double HOPELESS_RESULT = 1e6;
 
   /// energy of a map that is compared, above which it stays above `POOR_RESULT` however long it is minimised: other

@@ -51,9 +51,8 @@ inline bool has_map(const Search_outcome& outcome)
   return outcome.map.uv.rows() > 0;
 }
 
-/// indicates whether the search has found no map, or one that must be the fault of its start
-/// \param least energy of such a map
-inline bool is_poor(const Search_outcome& outcome, double least = Minimizer_numbers::POOR_RESULT)
+/// indicates whether the search has found no map, or one whose energy is `least` or more
+inline bool is_poor(const Search_outcome& outcome, double least)
 {
   return !(outcome.map.report.objective < least);
 }
@@ -68,8 +67,8 @@ inline bool do_agree(const Search_outcome& a, const Search_outcome& b)
 }
 
 /// tries the other starts until one is not poor; when there is a map, until all have cost too much, or will with the
-/// next, but `LEAST_OTHER_STARTS` in any case, or one agrees with the best. Where the first has a map and has cost too much, there are
-/// none. `finish_map()` is to follow.
+/// next, but `least_other_starts()` in any case, or one agrees with the best. Where the first has a map and has cost too
+/// much, there are none. `finish_map()` is to follow.
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
 inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
@@ -77,16 +76,18 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
 {
   Map_start start = Map_start::AS_CHOSEN;
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
-  const bool is_costly = has_map(best) && best.work > most_work_of_first_start(patch.number_of_vertices());
+  const int vertices = patch.number_of_vertices();
+  const bool is_costly = has_map(best) && best.work > most_work_of_first_start(vertices);
   if(balanced == nullptr || is_costly)
     return start;
   const Deadline& deadline = settings.search_options.deadline;
-  const double most_work = (std::max)(most_work_of_starts(patch.number_of_vertices()), best.work);
+  const double most_work = (std::max)(most_work_of_starts(vertices), best.work);
   double work = best.work;
   int others = 0;
   bool is_cancelled = false, is_enough = false;
   for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
-    if(!is_poor(best) || (has_map(best) && is_enough) || is_cancelled || has_passed(deadline))
+    if(!is_poor(best, least_poor_objective(vertices)) || (has_map(best) && is_enough) || is_cancelled ||
+       has_passed(deadline))
       break;
     Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
     is_cancelled = next.report.is_cancelled;
@@ -94,7 +95,7 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
     ++others;
     const double work_with_next = work + work / (1 + others);
     const bool is_too_much = work > most_work || work_with_next > MOST_EXCESS_OF_STARTS * most_work;
-    is_enough = do_agree(best, next) || (is_too_much && others >= LEAST_OTHER_STARTS);
+    is_enough = do_agree(best, next) || (is_too_much && others >= least_other_starts(vertices));
     if(next.map.report.objective < best.map.report.objective) {
       best = std::move(next);
       start = other.start;
@@ -135,23 +136,24 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
                                 Square_map_report& report)
 {
   Search_visitor* const visitor = corners ? nullptr : settings.search_options.visitor;
+  const double least_poor = least_poor_objective(patch.number_of_vertices());
   report.start = Map_start::AS_CHOSEN;
   Search_outcome outcome = map_from_start(patch, minimizer, corners, settings);
   if(is_poor(outcome, Minimizer_numbers::HOPELESS_RESULT))
     outcome.map.work_of_starts = static_cast<long>(outcome.work);
   if(!is_poor(outcome, Minimizer_numbers::LOST_RESULT))
-    finish_map(minimizer, visitor, outcome, Minimizer_numbers::POOR_RESULT);
-  if(settings.tries_other_starts && is_poor(outcome) && !outcome.report.is_cancelled) {
+    finish_map(minimizer, visitor, outcome, least_poor);
+  if(settings.tries_other_starts && is_poor(outcome, least_poor) && !outcome.report.is_cancelled) {
     // of polygons more candidates have a map than have one from other starts
     const bool is_polygon = is_mostly_border(patch), goes_on = would_go_on(patch, outcome);
     if(is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
-    if(is_poor(outcome) && !outcome.report.is_cancelled)
+    if(is_poor(outcome, least_poor) && !outcome.report.is_cancelled)
       report.start = try_other_starts(patch, corners, settings, outcome);
     if(!is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
   }
-  if(is_poor(outcome) || report.start != Map_start::AS_CHOSEN)
+  if(is_poor(outcome, least_poor) || report.start != Map_start::AS_CHOSEN)
     finish_map(minimizer, visitor, outcome);
   report.search = outcome.report;
   report.minimization = outcome.map.report;

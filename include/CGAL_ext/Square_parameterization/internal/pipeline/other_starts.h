@@ -9,10 +9,12 @@
 #include <CGAL_ext/Square_parameterization/base_weights.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 
 #include <functional>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -51,9 +53,9 @@ inline std::vector<Other_weights> other_weights(const Balanced_minimization& cho
   return others;
 }
 
-/// the starts that are left when that of the options has failed, in the order in which they are tried. Other weights are the
-/// first, as they are seldom lost on the same surface; then the mesh is made coarse in small steps, which finds most maps
-/// that are lost in rounding whatever the weights.
+/// the starts that are left when that of the options has failed, in the order in which they are tried. Where they are cheap
+/// other weights are the first, as they are seldom lost on the same surface; in small steps most maps are found that are
+/// lost in rounding whatever the weights, and these take the place of the first where few starts can be tried.
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
                                              const Deadline& deadline)
 {
@@ -68,6 +70,8 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
   };
   add(others.front().usual, chosen, others.front().weights, Coarsening::BY_HALVES);
   add(Map_start::GRADUAL_COARSENING, chosen, chosen.start.weights, Coarsening::BY_EIGHTHS);
+  if(!has_cheap_starts(patch.number_of_vertices()))
+    std::swap(starts[0], starts[1]);
   for(auto other = others.begin() + 1; other != others.end(); ++other)
     add(other->usual, chosen, other->weights, Coarsening::BY_HALVES);
   for(const Other_weights& other : others)

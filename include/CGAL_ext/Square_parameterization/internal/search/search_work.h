@@ -76,9 +76,27 @@ inline double most_work_of_starts(int number_of_vertices)
 /// than two seconds, in vain.
 constexpr double MOST_EXCESS_OF_STARTS = 1.4;
 
-/// other starts that are tried whatever they cost: with other weights, and in small steps. With one of them alone some surfaces
-/// are left with a map that the other leads out of a stretch of thousands; small steps first, in vain on most, are worse.
-constexpr int LEAST_OTHER_STARTS = 2;
+/// vertices of a mesh, at most, on which other starts cost little. Larger: polygons of 5000 corners take 2.7 s, half as long
+/// again, in vain.
+constexpr int MOST_VERTICES_OF_CHEAP_STARTS = 2500;
+
+constexpr bool has_cheap_starts(int number_of_vertices)
+{
+  return number_of_vertices <= MOST_VERTICES_OF_CHEAP_STARTS;
+}
+
+/// other starts that are tried whatever they cost where they are cheap: with other weights, and in small steps. With one of them
+/// alone some surfaces are left with a map that the other leads out of a stretch of thousands.
+constexpr int least_other_starts(int number_of_vertices)
+{
+  return has_cheap_starts(number_of_vertices) ? 2 : 1;
+}
+
+/// energy of a map that is to be delivered above which other starts are tried
+constexpr double least_poor_objective(int number_of_vertices)
+{
+  return has_cheap_starts(number_of_vertices) ? Minimizer_numbers::POOR_RESULT : Minimizer_numbers::HOPELESS_RESULT;
+}
 
 /// sweeps over a mesh of more than `MOST_VERTICES_OF_MAP` vertices that the candidates of the first start may cost for others
 /// to be tried, too: those of polygons with thousands of spikes cost 700 to 1300, and to make such a mesh coarse in

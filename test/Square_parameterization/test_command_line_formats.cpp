@@ -111,12 +111,12 @@ TEST_CASE("PLY files are read with integer coordinates, and with elements and pr
 {
   const std::string head = "ply\nformat ascii 1.0\nelement nothing 9000000000\nelement camera 1\nproperty list uchar "
                            "float view\nelement vertex 4\n";
-  const std::string text = head +
-                           "property uchar red\nproperty short z\nproperty int y\nproperty list uchar int near\n"
-                           "property uchar x\nelement face 2\nproperty list int float weights\n"
-                           "property list uint8 uint16 vertex_index\nproperty float quality\nelement edge 9\n"
-                           "property int a\nend_header\n2 1.5 2\n9 0 0 0 0\n9 0 0 2 7 7 3\n9 5 4 0 3\n9 0 4 0 0\n"
-                           "0 3 0 1 2 .5\n2 1e3 nan 3 0 2 3 .25\n";
+  const std::string text =
+      head + "property uchar red\nproperty short z\nproperty int y\nproperty list uchar int near\n"
+             "property uchar x\nproperty list uchar int near\nelement face 2\nproperty list int float weights\n"
+             "property list uint8 uint16 vertex_index\nproperty float quality\nelement edge 9\n"
+             "property int a\nend_header\n2 1.5 2\n9 0 0 0 0 0\n9 0 0 2 7 7 3 0\n9 5 4 0 3 1 8\n9 0 4 0 0 0\n"
+             "0 3 0 1 2 .5\n2 1e3 nan 3 0 2 3 .25\n";
   const Temporary_folder folder;
   const Map map = check_map(folder.add("in.ply", text), {"--cut", "none"}).map;
   REQUIRE(map.points.size() >= 4);
@@ -170,7 +170,7 @@ TEST_CASE("OBJ files are read with all that the format has")
   for(const std::string& variant :
       {replaced(text, " ", "\t"), replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"), "\xef\xbb\xbf" + text,
        replaced(text, " ", " \\\n  "), replaced(text, " ", " \\\r\n"), replaced(text, "\n", " # comment\n"),
-       replaced(text, "f ", "fo ")})
+       replaced(text, " ", " \\ \t\n"), replaced(text, "f ", "fo "), text + "\\", text + "g x \\ "})
     check_sheet("in.obj", variant);
   Soup relative = small;
   for(Face& face : relative.faces)
@@ -256,7 +256,8 @@ TEST_CASE("OFF files are read in text and binary, with and without what they say
     colored += "# a face\n" + replaced(row(face, 0, "3\t"), "\n", " 0.5 0.5 0.5 # red\n");
   for(const std::string& variant :
       {"\xef\xbb\xbf" + text, replaced(text, "\n", "\r\n"), colored, "OFF\n35 48\n" + points_and_faces,
-       "nOFF 3\n" + counts + points_and_faces, "OFF " + counts + points_and_faces, text + "trailing words"})
+       "nOFF 3\n" + counts + points_and_faces, "OFF " + counts + points_and_faces, text + "trailing words",
+       "OFF" + counts + points_and_faces, counts + points_and_faces}) // as in collections of meshes, and without
     check_sheet("in.off", variant);
   std::string homogeneous = "4OFF\n" + counts;
   for(const Point& p : small.points)

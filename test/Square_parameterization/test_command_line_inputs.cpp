@@ -140,10 +140,10 @@ TEST_CASE("seams are read with comments, and refused with their line")
     CHECK(outcome(text).status == plain.status);
     CHECK(outcome(text).err == plain.err);
   }
-  for(const std::string wrong : {"0 4x", "0x 4", "0 1.5", "0", "0 1 2", "0 1 x", "zero one", "0 99999999999999999999"})
+  for(const std::string wrong : {"0 4x", "0x 4", "0 1.5", "0", "0 1 2", "0 1 x", "zero one"})
     check_refusal(folder, {input, "--seams", folder.add("seams", "# comment\n" + wrong + "\n")}, BAD_FILE,
                   "line 2 is not two vertex numbers");
-  for(const std::string missing : {"0 35", "0 -1"})
+  for(const std::string missing : {"0 35", "0 -1", "0 99999999999999999999"})
     check_refusal(folder, {input, "--seams", folder.add("seams", missing)}, BAD_FILE, "which no mapped face has");
 }
 

@@ -213,8 +213,9 @@ TEST_CASE("an output with another extension than .obj, .off, .ply, .stl or .glb 
 {
   const Temporary_folder folder;
   const std::string input = folder.add("in.off", off(small));
-  for(const char* name : {"map", "map.gltf", "map.txt", "obj", ".obj", "map.", "map.obj.gz"})
+  for(const char* name : {"map", "map.gltf", "map.txt", "obj", "map.", "map.obj.gz"})
     check_refusal(folder, {input, "-o", folder / name}, BAD_COMMAND_LINE, ".obj, .off, .ply, .stl or .glb");
+  check_refusal(folder, {input, "-o", folder / ".obj"}, BAD_COMMAND_LINE, ".obj' has no name before its extension");
 }
 
 namespace {
@@ -249,10 +250,10 @@ TEST_CASE("corners that are not four border vertices in order are refused")
         "not in counter-clockwise order; this would be: " + corner_option({b[9], b[0], b[3], b[6]}));
   check(corner_option({b[0], b[6], b[3], b[9]}),
         "not in counter-clockwise order; this would be: " + corner_option({b[0], b[3], b[6], b[9]}));
-  for(const char* malformed :
-      {"", "1", "0,1,2", "0 1 2 3", "0, 1, 2, ", "0, 1, 2, 3 4", "0,1,2,3,4", "0,1,2,", "0,,1,2", "a,b,c,d", "0;1;2;3",
-       "-1,1,2,3", "0,1,2,3x", "0,1,2,99999999999999999999999", "0.5,1,2,3", "+0,1,2,3"})
+  for(const char* malformed : {"", "1", "0,1,2", "0 1 2 3", "0, 1, 2, ", "0, 1, 2, 3 4", "0,1,2,3,4", "0,1,2,",
+                               "0,,1,2", "a,b,c,d", "0;1;2;3", "-1,1,2,3", "0,1,2,3x", "0.5,1,2,3", "+0,1,2,3"})
     check(malformed, "--corners");
+  check("0,1,2,99999999999999999999999", "corner vertex 99999999999999999999999 does not exist");
 }
 
 TEST_CASE("a corner is named by its number in the file when isolated vertices are dropped")

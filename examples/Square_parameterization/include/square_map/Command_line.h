@@ -108,6 +108,10 @@ inline void check_extension(const std::string& what, const std::string& name,
 {
   if(name.empty() || std::find(extensions.begin(), extensions.end(), output_extension(name)) != extensions.end())
     return;
+  if(const std::string file = std::filesystem::path(name).filename().string();
+     std::find(extensions.begin(), extensions.end(), file.substr(0, 1) == "." ? extension_of("x" + file) : "") !=
+     extensions.end())
+    throw Usage_error(what + " '" + name + "' has no name before its extension");
   std::string list;
   for(std::size_t k = 0; k < extensions.size(); ++k)
     list += (k == 0 ? "." : k + 1 == extensions.size() ? " or ." : ", .") + extensions[k];

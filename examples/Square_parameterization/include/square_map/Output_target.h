@@ -130,11 +130,9 @@ inline Output_target find_output_target(const std::string& name)
   if(fs::is_symlink(name, error))
     throw Output_error(name, "it is a link to a file that does not exist");
   const fs::path path = fs::absolute(name, error); // none when the working folder is gone
-  throw_if_out_of_memory(error);
-  const fs::path folder = fs::canonical(path.parent_path(), error);
-  throw_if_out_of_memory(error);
+  const fs::path folder = error ? fs::path() : fs::canonical(path.parent_path(), error);
   if(error || path.filename().empty())
-    throw Output_error(name, reason_of(ENOENT));
+    throw Output_error(name, reason_of(error ? error.value() : ENOENT));
   return {folder / path.filename(), false};
 }
 

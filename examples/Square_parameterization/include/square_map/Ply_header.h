@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -110,15 +111,19 @@ inline void read_ply_format(Text_scanner& scanner, Ply_header& header)
 /// refuses two elements or properties of one name where it matters which is meant
 inline void check_ply_header(const Ply_header& header)
 {
-  const auto refuse_repeated = [](const auto& all, const std::string& thing) {
-    for(auto a = all.begin(); a != all.end(); ++a)
-      if(std::any_of(all.begin(), a, [a](const auto& b) { return b.name == a->name; }))
-        throw Malformed_file("its header has two " + thing + " of the name " + in_quotes(a->name));
+  const auto refuse_repeated = [](const auto& all, const std::string& thing,
+                                  std::initializer_list<const char*> needed) {
+    for(const char* name : needed)
+      if(std::count_if(all.begin(), all.end(), [name](const auto& one) { return one.name == name; }) > 1)
+        throw Malformed_file("its header has two " + thing + " of the name " + in_quotes(name));
   };
-  refuse_repeated(header.elements, "elements");
-  for(const Ply_element& element : header.elements)
-    if(element.name == "vertex" || element.name == "face")
-      refuse_repeated(element.properties, "properties");
+  refuse_repeated(header.elements, "elements", {"vertex", "face"});
+  for(const Ply_element& element : header.elements) {
+    if(element.name == "vertex")
+      refuse_repeated(element.properties, "properties", {"x", "y", "z", "red", "green", "blue"});
+    if(element.name == "face")
+      refuse_repeated(element.properties, "properties", {"vertex_indices", "vertex_index"});
+  }
 }
 
 /// reads the header of a PLY file, line by line

@@ -28,9 +28,9 @@ public:
     const auto number = parse_real(word);
     if(!number || (!is_real && !is_integer(type, word)))
       m_scanner.refuse(word, "in " + element + ' ' + std::to_string(index) +
-                                 (is_real                             ? " a number"
-                                  : parse_integer<std::int64_t>(word) ? " a number that its type can hold"
-                                                                      : " a whole number"));
+                                 (is_real                 ? " a number"
+                                  : is_whole_number(word) ? " a number that its type can hold"
+                                                          : " a whole number"));
     return type == Ply_type::FLOAT32 ? static_cast<double>(static_cast<float>(*number)) : *number; // as in binary
   }
 

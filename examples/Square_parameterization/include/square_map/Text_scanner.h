@@ -7,6 +7,7 @@
 #include "Malformed_file.h"
 #include "parse_number.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -137,13 +138,13 @@ private:
     return m_text[m_place] == '\n' || (m_text[m_place] == '\r' && m_text.substr(m_place + 1, 1) != "\n");
   }
 
-  /// a backslash that ends a line of a text whose lines may be continued
+  /// a backslash that ends a line of a text whose lines may be continued, or the text; blanks may follow it
   bool is_continuation() const
   {
     if(!m_is_continued || m_text[m_place] != '\\')
       return false;
-    const std::string_view rest = m_text.substr(m_place + 1, 2);
-    return rest.substr(0, 1) == "\n" || rest == "\r\n";
+    const std::size_t next = m_text.find_first_not_of(" \t\v\f\r", m_place + 1);
+    return next == std::string_view::npos || m_text[next] == '\n';
   }
 
   void skip_blanks()
@@ -155,7 +156,7 @@ private:
         while(m_place < m_text.size() && !is_line_break())
           ++m_place;
       else if(is_continuation()) {
-        m_place = m_text.find('\n', m_place) + 1;
+        m_place = std::min(m_text.find('\n', m_place), m_text.size() - 1) + 1;
         ++m_line;
       } else
         return;

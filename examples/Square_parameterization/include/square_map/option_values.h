@@ -11,6 +11,8 @@
 #include <CGAL_ext/Square_parameterization/circle_corner_searches.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
+#include "parse_number.h"
+
 #include <array>
 #include <cctype>
 #include <cstdio>
@@ -101,15 +103,25 @@ inline void apply_paper_preset(CGAL_ext::Square_map_settings& options)
 /// four vertex numbers separated by commas, with or without blanks
 inline std::array<std::size_t, 4> parse_corners(const std::string& text)
 {
+  const auto refuse = [&text] {
+    throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
+  };
   std::array<std::size_t, 4> corners{};
   std::istringstream stream(text);
   char comma = ',';
-  for(int k = 0; k < 4; ++k)
-    if((k > 0 && !(stream >> comma)) || comma != ',' || !std::isdigit((stream >> std::ws).peek()) ||
-       !(stream >> corners[k]))
-      throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
+  for(int k = 0; k < 4; ++k) {
+    if((k > 0 && !(stream >> comma)) || comma != ',' || !std::isdigit((stream >> std::ws).peek()))
+      refuse();
+    std::string digits;
+    while(std::isdigit(stream.peek()))
+      digits += static_cast<char>(stream.get());
+    const auto number = parse_integer<std::size_t>(digits);
+    if(!number)
+      throw Usage_error("corner vertex " + digits + " does not exist");
+    corners[k] = *number;
+  }
   if(!(stream >> std::ws).eof())
-    throw Usage_error("--corners takes four vertex numbers a,b,c,d counted from 0; not '" + text + "'");
+    refuse();
   return corners;
 }
 

@@ -48,6 +48,14 @@ std::optional<Integer> parse_integer(std::string_view word)
   return stop == end && error == std::errc() ? std::optional<Integer>(n) : std::nullopt;
 }
 
+/// indicates whether a word is a whole number, if perhaps too large for any type
+inline bool is_whole_number(std::string_view word)
+{
+  const std::string_view number = without_plus(word);
+  const std::string_view digits = number.substr(number.substr(0, 1) == "-" ? 1 : 0);
+  return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 } // namespace square_map
 
 #endif // SQUARE_MAP_PARSE_NUMBER_H

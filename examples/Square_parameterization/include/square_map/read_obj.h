@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -48,6 +49,8 @@ inline const std::map<std::string_view, const char*>& unused_obj_lines()
 class Obj_reader
 {
 public:
+  static constexpr const char* UNKNOWN_LINES = "lines of unknown kinds";
+
   /// \param text must live as long as the reader
   /// \param colors receives the colors of the vertices, unless it is null or a vertex has none
   explicit Obj_reader(std::string_view text, Vertex_colors* colors = nullptr)
@@ -72,6 +75,8 @@ public:
       throw Malformed_file(m_line_of_highest + ": a face names vertex " + std::to_string(m_highest) +
                            "; the file has " + counted(m_soup.points.size(), "vertex", "vertices") +
                            ", counted from 1");
+    if(m_first_not_finite)
+      throw Malformed_file(*m_first_not_finite);
     if(m_colors != nullptr && m_colors->size() != m_soup.points.size())
       m_colors->clear();
     return std::move(m_soup);
@@ -87,7 +92,7 @@ private:
        keyword.find_first_not_of("0123456789+-./", 1) == std::string_view::npos)
       m_scanner.refuse(keyword, "a blank after v or f");
     if(m_unknown_kind.empty())
-      m_unknown_kind = "lines of unknown kinds, the first of them " + m_scanner.line_name();
+      m_unknown_kind = UNKNOWN_LINES + std::string(", the first of them ") + m_scanner.line_name();
     return m_unknown_kind;
   }
 
@@ -98,6 +103,9 @@ private:
     const double x = m_scanner.next_real("a coordinate"), y = m_scanner.next_real("a coordinate"),
                  z = m_scanner.next_real("a coordinate");
     m_soup.points.emplace_back(x, y, z);
+    if(!m_first_not_finite && !m_soup.points.back().allFinite())
+      m_first_not_finite = m_scanner.line_name() + ": vertex " + std::to_string(m_soup.points.size()) +
+                           ", counted from 1, has a coordinate that is not finite";
     std::size_t numbers = 3;
     Eigen::Vector3d last(0, 0, 0); // numbers of the line: those of the color
     for(; !m_scanner.is_line_end(); ++numbers)
@@ -115,6 +123,8 @@ private:
     std::vector<std::size_t>& face = m_soup.faces.emplace_back();
     while(!m_scanner.is_line_end())
       face.push_back(point_of_corner(m_scanner.next_word()));
+    if(face.size() < 3)
+      m_scanner.refuse("a face has " + counted(face.size(), "corner", "corners") + "; at least three were expected");
   }
 
   /// the point that a corner names: `v`, `v/vt`, `v//vn` or `v/vt/vn`
@@ -122,7 +132,10 @@ private:
   {
     const auto refuse = [this, word] { m_scanner.refuse(word, "a corner of a face, such as 1, 1/2, 1//3 or 1/2/3,"); };
     const std::size_t slash = word.find('/');
-    const auto index = parse_integer<std::int64_t>(word.substr(0, slash));
+    const std::string_view number = word.substr(0, slash);
+    const auto index = parse_integer<std::int64_t>(number);
+    if(!index && is_whole_number(number))
+      m_scanner.refuse("a face names vertex " + in_quotes(number) + ", which no file has");
     if(!index)
       refuse();
     for(std::size_t place = slash, slashes = 0; place != std::string_view::npos;) {
@@ -159,7 +172,17 @@ private:
   CGAL_ext::internal::Surface_soup m_soup;
   std::size_t m_highest = 0; ///< of the vertices that were named before they came, counted from 1
   std::string m_line_of_highest, m_unknown_kind;
+  std::optional<std::string> m_first_not_finite; ///< the complaint about the first vertex that is not
 };
+
+/// what an OBJ file without faces has instead: lines that are none of such a file
+inline std::string but_unknown_lines(const Passed_over& passed_over)
+{
+  for(const auto& [what, count] : passed_over)
+    if(what.rfind(Obj_reader::UNKNOWN_LINES, 0) == 0)
+      return ", but " + what;
+  return "";
+}
 
 /// reads an OBJ file; an object without faces is refused, for a file that is cut off looks like it
 /// \param colors receives the colors of the vertices, unless it is null
@@ -168,7 +191,8 @@ inline CGAL_ext::internal::Surface_soup read_obj(std::string_view text, Passed_o
 {
   CGAL_ext::internal::Surface_soup soup = Obj_reader(text, colors).read(passed_over);
   if(soup.faces.empty())
-    throw Malformed_file("it has " + counted(soup.points.size(), "vertex", "vertices") + " and no faces");
+    throw Malformed_file("it has " + counted(soup.points.size(), "vertex", "vertices") + " and no faces" +
+                         but_unknown_lines(passed_over));
   return soup;
 }
 

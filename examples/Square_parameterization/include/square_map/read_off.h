@@ -22,6 +22,25 @@ namespace square_map {
 
 // CGAL's reader takes 3.7 and numbers that overflow as some index, and binary files without colors alone.
 
+/// reads the keyword, which may be missing, and which some collections of meshes put before the first count without a blank
+inline Off_header read_off_keyword(Text_scanner& scanner)
+{
+  const std::string_view keyword = scanner.next_word_anywhere();
+  const std::size_t begin = scanner.place() - keyword.size();
+  if(is_whole_number(keyword)) {
+    scanner.go_back(begin);
+    return *parse_off_keyword("OFF");
+  }
+  const std::size_t off = keyword.find("OFF"), end = off == std::string_view::npos ? keyword.size() : off + 3;
+  const bool is_glued = is_whole_number(keyword.substr(end));
+  const std::optional<Off_header> header = parse_off_keyword(is_glued ? keyword.substr(0, end) : keyword);
+  if(!header)
+    scanner.refuse(keyword, "OFF");
+  if(is_glued)
+    scanner.go_back(begin + end);
+  return *header;
+}
+
 /// reads the numbers of vertices and faces that follow the keyword. The number of edges is passed over; it may be
 /// missing where the vertices begin on a line of their own.
 inline void read_off_counts(Text_scanner& scanner, Off_header& header)
@@ -126,23 +145,20 @@ inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Passed_o
                                                  Vertex_colors* colors = nullptr)
 {
   Text_scanner scanner(text, '#');
-  const std::string_view keyword = scanner.next_word_anywhere();
-  std::optional<Off_header> header = parse_off_keyword(keyword);
-  if(!header)
-    scanner.refuse(keyword, "OFF");
+  Off_header header = read_off_keyword(scanner);
   if(scanner.find_word()) {
     const std::size_t place = scanner.place();
-    if(scanner.next_word() == "BINARY" && !header->has_colors_first)
-      return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), *header, passed_over,
+    if(scanner.next_word() == "BINARY" && !header.has_colors_first)
+      return read_binary_off(text.substr(std::min(text.find('\n', place), text.size() - 1) + 1), header, passed_over,
                              colors);
     scanner.go_back(place);
   }
   CGAL_ext::internal::Surface_soup soup;
-  read_off_counts(scanner, *header);
-  read_off_points(scanner, *header, soup, colors);
-  read_off_faces(scanner, *header, soup);
-  if(header->faces > 0)
-    pass_over_rest("lines", scanner.skip_lines(), "face " + std::to_string(header->faces - 1), passed_over);
+  read_off_counts(scanner, header);
+  read_off_points(scanner, header, soup, colors);
+  read_off_faces(scanner, header, soup);
+  if(header.faces > 0)
+    pass_over_rest("lines", scanner.skip_lines(), "face " + std::to_string(header.faces - 1), passed_over);
   return soup;
 }
 

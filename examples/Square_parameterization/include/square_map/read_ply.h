@@ -13,7 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -111,11 +112,14 @@ std::size_t next_ply_index(Values& values, Ply_type type, const std::string& ele
 {
   const double index = values.next(type, element, f);
   const std::string face = "face " + std::to_string(f);
-  if(!(std::abs(index) < 9007199254740992.) || index != std::floor(index)) // 2^53
+  if(!std::isfinite(index) || index != std::floor(index))
     values.refuse(face + " has an index that is not a whole number");
-  if(index < 0 || index >= static_cast<double>(vertices))
-    values.refuse(face + " names vertex " + std::to_string(static_cast<std::int64_t>(index)) + "; the file has " +
-                  counted(vertices, "vertex", "vertices") + ", counted from 0");
+  if(index < 0 || index >= static_cast<double>(vertices)) {
+    std::ostringstream number;
+    number << std::setprecision(17) << index;
+    values.refuse(face + " names vertex " + number.str() + "; the file has " + counted(vertices, "vertex", "vertices") +
+                  ", counted from 0");
+  }
   return static_cast<std::size_t>(index);
 }
 
@@ -193,6 +197,8 @@ inline CGAL_ext::internal::Surface_soup read_ply(std::string_view text, Passed_o
   };
   if(!has("vertex", 0))
     throw Malformed_file("it has no element vertex");
+  if(!has("face", 0) && !has("tristrips", 1))
+    throw Malformed_file("it has no element face");
   if(has("tristrips", 1))
     throw Malformed_file("it has triangle strips, which are not read; an element face was expected");
   return header.is_ascii ? read_ply_data(Ply_text(text, header.data), header, passed_over, colors)

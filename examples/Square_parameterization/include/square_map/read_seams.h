@@ -44,6 +44,8 @@ inline std::vector<File_seam> parse_seams(std::string_view text,
     for(std::size_t& end : seam.ends) {
       const std::string_view word = scanner.next_word();
       const auto number = parse_integer<std::int64_t>(word);
+      if(!number && is_whole_number(word))
+        throw Malformed_file(scanner.line_name() + " names vertex " + in_quotes(word) + ", which no mapped face has");
       if(!number)
         throw Malformed_file(scanner.line_name() + " is not two vertex numbers");
       end = conditioned_vertex(static_cast<std::size_t>(*number), conditioning); // a negative number is a large one

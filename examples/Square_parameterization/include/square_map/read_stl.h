@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -43,8 +44,11 @@ public:
   {
     std::vector<std::size_t>& face = m_soup.faces.emplace_back();
     face.reserve(3);
-    for(const auto& corner : corners)
+    for(const auto& corner : corners) {
+      if(!std::all_of(corner.begin(), corner.end(), [](double x) { return std::isfinite(x); }))
+        throw Malformed_file("facet " + std::to_string(size() - 1) + " has a coordinate that is not finite");
       face.push_back(index_of(corner));
+    }
   }
 
   std::size_t size() const { return m_soup.faces.size(); }

@@ -29,6 +29,11 @@ printf '\2ply\nformat ascii 1.0\nelement vertex 3\nproperty short x\nproperty fl
 printf '\3solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid x\n' \
   > corpus_readers/triangle.stl
 printf '\5# seams\n0 1\n6 2\n' > corpus_readers/seams.txt
+# a triangle without a keyword, and with one that is glued to the first count; blanks behind a backslash
+triangle='3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
+printf '\0\n'"$triangle" > corpus_readers/without_keyword.off
+printf '\0OFF'"$triangle" > corpus_readers/glued_keyword.off
+printf '\1v 0 0 \\ \n 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 \\' > corpus_readers/blanks.obj
 # the same triangle in binary
 head='ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty char y\nproperty short z\n'
 printf '\2'"$head"'element face 1\nproperty list uchar ushort vertex_index\nend_header\n\0\0\0\0\1\0\0\0\0\1\0\0\3\0\0\1\0\2\0' \

@@ -27,6 +27,7 @@ const std::vector<std::pair<std::string, std::string>>& sheets()
 {
   static const std::vector<std::pair<std::string, std::string>> result{{"off", off(small)},
                                                                        {"off", "# comment\n\n" + off(small)},
+                                                                       {"off", "OFF" + off(small).substr(4)}, // glued
                                                                        {"obj", obj(small)},
                                                                        {"obj", "# comment\nmtllib x\n" + obj(small)},
                                                                        {"ply", ply(small)},

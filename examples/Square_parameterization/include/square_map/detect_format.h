@@ -24,7 +24,7 @@ inline std::optional<File_format> format_of_content(std::string_view text)
   const std::string_view word = scanner.next_word_anywhere();
   if(word == "ply")
     return File_format::PLY;
-  if(parse_off_keyword(word))
+  if(parse_off_keyword(word.substr(0, off_keyword_length(word))))
     return File_format::OFF;
   if(begins_with_solid(text))
     return File_format::STL;

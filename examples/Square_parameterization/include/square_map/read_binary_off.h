@@ -9,6 +9,7 @@
 #include "Byte_scanner.h"
 #include "Passed_over.h"
 #include "Vertex_colors.h"
+#include "parse_number.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -45,6 +46,14 @@ inline std::optional<Off_header> parse_off_keyword(std::string_view keyword)
   if(matches(meshlab))
     return Off_header{has(3), has(2), has(1), false, false, true, true};
   return {};
+}
+
+/// the length of the keyword with which a word begins: some collections of meshes put the first count behind it without a
+/// blank
+inline std::size_t off_keyword_length(std::string_view word)
+{
+  const std::size_t off = word.find("OFF"), end = off == std::string_view::npos ? word.size() : off + 3;
+  return is_whole_number(word.substr(end)) ? end : word.size();
 }
 
 /// what is wrong with a dimension; empty for nothing

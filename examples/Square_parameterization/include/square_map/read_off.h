@@ -22,22 +22,20 @@ namespace square_map {
 
 // CGAL's reader takes 3.7 and numbers that overflow as some index, and binary files without colors alone.
 
-/// reads the keyword, which may be missing, and which some collections of meshes put before the first count without a blank
+/// reads the keyword, which may be missing
 inline Off_header read_off_keyword(Text_scanner& scanner)
 {
-  const std::string_view keyword = scanner.next_word_anywhere();
-  const std::size_t begin = scanner.place() - keyword.size();
-  if(is_whole_number(keyword)) {
+  const std::string_view word = scanner.next_word_anywhere();
+  const std::size_t begin = scanner.place() - word.size();
+  if(is_whole_number(word)) {
     scanner.go_back(begin);
     return *parse_off_keyword("OFF");
   }
-  const std::size_t off = keyword.find("OFF"), end = off == std::string_view::npos ? keyword.size() : off + 3;
-  const bool is_glued = is_whole_number(keyword.substr(end));
-  const std::optional<Off_header> header = parse_off_keyword(is_glued ? keyword.substr(0, end) : keyword);
+  const std::size_t length = off_keyword_length(word);
+  const std::optional<Off_header> header = parse_off_keyword(word.substr(0, length));
   if(!header)
-    scanner.refuse(keyword, "OFF");
-  if(is_glued)
-    scanner.go_back(begin + end);
+    scanner.refuse(word, "OFF");
+  scanner.go_back(begin + length);
   return *header;
 }
 

@@ -85,6 +85,26 @@ TEST_CASE("another start that leads to the same poor map is the last")
   }
 }
 
+TEST_CASE("where starts are not cheap none is tried when it would cost too much")
+{
+  const Patch patch = make_patch_of(rectangle(51, 51, 5e6, 1, 1));
+  const Corners corners{0, 51, 102, 153};
+  const Square_map_settings settings;
+  Search_outcome best = map_with_corners(patch, *make_minimizer(patch, settings.minimization), corners);
+  const auto starts = other_starts(patch, std::get<Balanced_minimization>(settings.minimization), {});
+  const Search_outcome second = map_with_corners(patch, *starts.front().make_minimizer(), corners);
+  best.map.report.objective *= 1.1;
+  REQUIRE_FALSE(do_agree(best, second));
+  REQUIRE(is_poor(second, Minimizer_numbers::HOPELESS_RESULT));
+  const double most_work = most_work_of_starts(patch.number_of_vertices());
+  best.work = most_work - 1.01 * second.work;
+  const double work_of_two = best.work + second.work;
+  REQUIRE(work_of_two < most_work);
+  REQUIRE(1.5 * work_of_two > MOST_EXCESS_OF_STARTS * most_work);
+  try_other_starts(patch, corners, settings, best);
+  CHECK(best.work == work_of_two);
+}
+
 TEST_CASE(
     "where starts cost little other weights come before small steps, more maps are poor, and two starts are tried")
 {

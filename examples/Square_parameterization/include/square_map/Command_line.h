@@ -106,11 +106,12 @@ inline bool is_same_file(const std::string& a, const std::string& b)
 inline void check_extension(const std::string& what, const std::string& name,
                             const std::vector<std::string>& extensions)
 {
-  if(name.empty() || std::find(extensions.begin(), extensions.end(), output_extension(name)) != extensions.end())
+  const auto is_known = [&extensions](const std::string& file) {
+    return std::find(extensions.begin(), extensions.end(), output_extension(file)) != extensions.end();
+  };
+  if(name.empty() || is_known(name))
     return;
-  if(const std::string file = std::filesystem::path(name).filename().string();
-     std::find(extensions.begin(), extensions.end(), file.substr(0, 1) == "." ? extension_of("x" + file) : "") !=
-     extensions.end())
+  if(is_known("x" + std::filesystem::path(name).filename().string()))
     throw Usage_error(what + " '" + name + "' has no name before its extension");
   std::string list;
   for(std::size_t k = 0; k < extensions.size(); ++k)

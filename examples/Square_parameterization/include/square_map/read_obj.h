@@ -49,15 +49,14 @@ inline const std::map<std::string_view, const char*>& unused_obj_lines()
 class Obj_reader
 {
 public:
-  static constexpr const char* UNKNOWN_LINES = "lines of unknown kinds";
-
   /// \param text must live as long as the reader
   /// \param colors receives the colors of the vertices, unless it is null or a vertex has none
   explicit Obj_reader(std::string_view text, Vertex_colors* colors = nullptr)
     : m_scanner(text, '#', true), m_colors(colors)
   {}
 
-  /// reads all lines; what is not used is counted in \p passed_over
+  /// reads all lines; what is not used is counted in \p passed_over. An object without faces is refused, for a file that is
+  /// cut off looks like it.
   CGAL_ext::internal::Surface_soup read(Passed_over& passed_over)
   {
     while(m_scanner.find_word()) {
@@ -77,6 +76,9 @@ public:
                            ", counted from 1");
     if(m_first_not_finite)
       throw Malformed_file(*m_first_not_finite);
+    if(m_soup.faces.empty())
+      throw Malformed_file("it has " + counted(m_soup.points.size(), "vertex", "vertices") + " and no faces" +
+                           (m_unknown_kind.empty() ? "" : ", but " + m_unknown_kind));
     if(m_colors != nullptr && m_colors->size() != m_soup.points.size())
       m_colors->clear();
     return std::move(m_soup);
@@ -92,7 +94,7 @@ private:
        keyword.find_first_not_of("0123456789+-./", 1) == std::string_view::npos)
       m_scanner.refuse(keyword, "a blank after v or f");
     if(m_unknown_kind.empty())
-      m_unknown_kind = UNKNOWN_LINES + std::string(", the first of them ") + m_scanner.line_name();
+      m_unknown_kind = "lines of unknown kinds, the first of them " + m_scanner.line_name();
     return m_unknown_kind;
   }
 
@@ -175,25 +177,12 @@ private:
   std::optional<std::string> m_first_not_finite; ///< the complaint about the first vertex that is not
 };
 
-/// what an OBJ file without faces has instead: lines that are none of such a file
-inline std::string but_unknown_lines(const Passed_over& passed_over)
-{
-  for(const auto& [what, count] : passed_over)
-    if(what.rfind(Obj_reader::UNKNOWN_LINES, 0) == 0)
-      return ", but " + what;
-  return "";
-}
-
-/// reads an OBJ file; an object without faces is refused, for a file that is cut off looks like it
+/// reads an OBJ file
 /// \param colors receives the colors of the vertices, unless it is null
 inline CGAL_ext::internal::Surface_soup read_obj(std::string_view text, Passed_over& passed_over,
                                                  Vertex_colors* colors = nullptr)
 {
-  CGAL_ext::internal::Surface_soup soup = Obj_reader(text, colors).read(passed_over);
-  if(soup.faces.empty())
-    throw Malformed_file("it has " + counted(soup.points.size(), "vertex", "vertices") + " and no faces" +
-                         but_unknown_lines(passed_over));
-  return soup;
+  return Obj_reader(text, colors).read(passed_over);
 }
 
 } // namespace square_map

@@ -52,9 +52,11 @@ TEST_CASE("the reason why an output cannot be written is told")
     check_refusal(folder, {input, "-o", output}, BAD_COMMAND_LINE, "cannot write '" + output + "': " + reason);
   }
   CHECK(read_file(read_only) == "mine");
+  chmod(folder.add("folder.obj/writable.obj", "").c_str(), 0666);
   chmod((folder / "folder.obj").c_str(), 0555);
-  check_refusal(folder, {input, "-o", folder / "folder.obj/map.obj"}, BAD_COMMAND_LINE, "permission denied",
-                heed_permissions);
+  for(const char* name : {"folder.obj/map.obj", "folder.obj/writable.obj"})
+    check_refusal(folder, {input, "-o", folder / name}, BAD_COMMAND_LINE, "permission denied in its folder",
+                  heed_permissions);
 }
 
 TEST_CASE("a file may have the longest name that there is")

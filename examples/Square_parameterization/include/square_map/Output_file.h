@@ -139,6 +139,8 @@ private:
       const int error = errno;
       temporary_files.forget(m_place);
       m_temporary.clear();
+      if(error == EACCES) // the file itself may be open to all
+        throw Output_error(m_name, "permission denied in its folder");
       if(error != EEXIST)
         fail(error);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "test_command_line_checks.h"
+#include "test_command_line_closed.h"
 
 #include <sys/stat.h>
 
@@ -15,21 +16,25 @@ namespace {
 
 const Soup large = sheet(150, 150);
 
-/// a run that is sure to take longer than the test, with a map that exists and a report that goes to a pipe: when the
-/// pipe is open the command is at work
+/// a run in a folder of its own that is sure to take longer than the test, with a map that exists and a report that
+/// goes to a pipe: when the pipe is open the command is at work
 class Long_run
 {
 public:
   explicit Long_run(
-      const Arguments& options, const std::function<void()>& prepare = [] {})
+      const Arguments& options, const std::function<void()>& prepare = [] {}, const Soup& surface = large)
   {
     m_folder.add("map.obj", "my map");
-    const std::string input = m_folder.add("in.off", off(large)), pipe = m_folder / "pipe";
+    m_folder.add("in.off", off(surface));
+    const std::string pipe = m_folder / "pipe", folder = m_folder / "";
     if(mkfifo(pipe.c_str(), 0600) != 0)
       throw std::runtime_error("cannot make a pipe");
-    m_process.emplace(Arguments{input, "-o", m_folder / "map.obj", "--json", pipe, "--strategy", "brute-force"} +
-                          options,
-                      "", prepare);
+    m_process.emplace(Arguments{"in.off", "-o", "map.obj", "--json", "pipe", "--strategy", "brute-force"} + options, "",
+                      [folder, prepare] {
+                        if(chdir(folder.c_str()) != 0)
+                          _exit(126);
+                        prepare();
+                      });
     m_pipe = open(pipe.c_str(), O_RDONLY);
   }
 
@@ -75,6 +80,20 @@ TEST_CASE("a signal ends a run at once, and nothing is written")
       CHECK(is_one_message(result.err, name + "; no file was replaced"));
       CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
     }
+}
+
+TEST_CASE("a signal ends a run that cuts, or that samples its map, and nothing is left")
+{
+  const std::vector<std::pair<Soup, Arguments>> runs{
+      {soup_of(torus(120, 120)), {}},
+      {small, {"--threads", "1", "--image", "image.png", "--grid-mesh", "grid.obj", "--resolution", "3000"}}};
+  for(const auto& [surface, options] : runs) {
+    Long_run run(
+        options, [] {}, surface);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    run.send(SIGTERM);
+    CHECK(run.end().status == 128 + SIGTERM);
+  }
 }
 
 TEST_CASE("a signal ends a run whose messages nobody reads, and that has no more room for one")

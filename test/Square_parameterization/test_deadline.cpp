@@ -169,8 +169,8 @@ TEST_CASE("a simplification whose deadline has passed gives nothing")
 {
   const Triangle_surface surface = surface_of(ellipsoid(5));
   REQUIRE(surface.number_of_faces() > 5000);
-  CHECK(decimate_surface(surface, 1000, 4, 3, in_seconds(3600)));
-  CHECK_FALSE(decimate_surface(surface, 1000, 4, 3, in_seconds(-1)));
+  CHECK(decimate_surface(surface, 1000, in_seconds(3600)));
+  CHECK_FALSE(decimate_surface(surface, 1000, in_seconds(-1)));
   CHECK_FALSE(simplified_copy(surface, 1000, {}, in_seconds(-1)));
 }
 

@@ -3,6 +3,7 @@
 
 #include "closed_meshes.h"
 
+#include <CGAL_ext/Square_parameterization/internal/coarsening/coarsen_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface.h>
@@ -13,6 +14,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace CGAL_ext;
@@ -87,11 +90,38 @@ TEST_CASE("fans whose thinning would change the topology stay, and small ones ar
 TEST_CASE("a closed surface of two wide fans is simplified")
 {
   const Triangle_surface surface = surface_of(lids(4000));
-  const auto copy = decimate_surface(surface, 100, 4, 3);
-  REQUIRE(copy);
-  CHECK(copy->number_of_faces() <= 110);
-  CHECK(copy->border_loops.empty());
-  CHECK(copy->genus() == 0);
+  for(const Triangle_surface& simpler : {surface, coarsen_surface(surface, 200)}) {
+    const auto copy = decimate_surface(simpler, 100);
+    REQUIRE(copy);
+    CHECK(copy->number_of_faces() <= 110);
+    CHECK(copy->border_loops.empty());
+    CHECK(copy->genus() == 0);
+  }
+}
+
+TEST_CASE("a surface is coarsened to some of its vertices: border and topology stay, for any number of threads")
+{
+  const auto topology = [](const Triangle_surface& surface) {
+    return std::array<std::size_t, 2>{surface.border_loops.size(), static_cast<std::size_t>(surface.genus())};
+  };
+  const Closed_mesh ring = torus(200, 150);
+  for(const Closed_mesh& mesh : {ellipsoid(6, 2), ring, without_triangles(ring, {0, 1, 2, 31000})}) {
+    const Triangle_surface fine = surface_of(mesh);
+    const int faces = fine.number_of_faces() / 5;
+    const Triangle_surface coarse = coarsen_surface(fine, faces);
+    CHECK(coarse.number_of_faces() == Approx(faces).margin(1));
+    CHECK(topology(coarse) == topology(fine));
+    CHECK(coarse.area == Approx(fine.area).epsilon(0.03));
+    for(const std::vector<int>& loop : coarse.border_loops)
+      CHECK(std::any_of(fine.border_loops.begin(), fine.border_loops.end(), [&](const std::vector<int>& other) {
+        return other.size() == loop.size() && fine.points[other[0]] == coarse.points[loop[0]];
+      }));
+    Thread_team team(3);
+    const Thread_team::Scope scope(team);
+    const Triangle_surface again = coarsen_surface(fine, faces);
+    CHECK(again.triangles == coarse.triangles);
+    CHECK(again.points == coarse.points);
+  }
 }
 
 TEST_CASE("a score counts as one map of the opened surface at least, and for as many as its visits come to")

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_IMPL_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_IMPL_H
 
+#include <CGAL_ext/Square_parameterization/internal/coarsening/coarsen_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/judge_cuts.h>
@@ -33,7 +34,9 @@ simplified_copy(const Triangle_surface& surface, int faces, const Cut_numbers& n
   if(is_hardly_less(faces))
     return std::nullopt;
   std::optional<Triangle_surface> copy =
-      decimate_surface(surface, faces, numbers.very_fine, numbers.still_fine, deadline);
+      surface.number_of_faces() > numbers.very_fine * faces
+          ? decimate_surface(coarsen_surface(surface, static_cast<int>(numbers.still_fine * faces)), faces, deadline)
+          : decimate_surface(surface, faces, deadline);
   if(copy && is_hardly_less(copy->number_of_faces())) // the topology, or the shape, allows no less
     copy.reset();
   return copy;

@@ -13,12 +13,9 @@ namespace CGAL_ext {
 namespace internal {
 
 /// a simpler surface of the same topology with about \p faces triangles, or more where the topology needs them; nothing
-/// when simplification spoils the surface, or the deadline has passed before it is done. The shortest edges of a very
-/// fine surface are collapsed first, in a third of the time, which costs hardly any of its shape.
-/// \param very_fine times \p faces: surfaces with more triangles are very fine
-/// \param still_fine times \p faces: triangles left by collapsing the shortest edges
-std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces, double very_fine,
-                                                 double still_fine, const Deadline& deadline = {});
+/// when simplification spoils the surface, or the deadline has passed before it is done
+std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces,
+                                                 const Deadline& deadline = {});
 
 } // namespace internal
 } // namespace CGAL_ext

@@ -11,10 +11,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 // CGAL 6 renames this predicate and warns of the old name
@@ -58,19 +56,7 @@ private:
 };
 #undef CGAL_EXT_EDGE_COUNT_STOP_PREDICATE
 
-/// collapses edges, those of least cost first, until about \p faces triangles are left, or the deadline has passed
-template <class Mesh, class Cost, class Placement>
-void collapse_edges(Mesh& mesh, int faces, const Cost& cost, const Placement& placement, const Deadline& deadline)
-{
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  const std::size_t edges = 3 * static_cast<std::size_t>(faces) / 2;
-  SMS::edge_collapse(
-      mesh, Edge_count_or_deadline_stop_predicate<Mesh>(edges, deadline),
-      CGAL::parameters::get_cost(cost).get_placement(placement).filter(SMS::Bounded_normal_change_filter<>()));
-}
-
 CGAL_EXT_INLINE_FUNCTION std::optional<Triangle_surface> decimate_surface(const Triangle_surface& surface, int faces,
-                                                                          double very_fine, double still_fine,
                                                                           const Deadline& deadline)
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
@@ -84,11 +70,12 @@ CGAL_EXT_INLINE_FUNCTION std::optional<Triangle_surface> decimate_surface(const 
     if(mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) == Mesh::null_face())
       return std::nullopt;
   thin_fans(mesh, MOST_TRIANGLES_OF_VERTEX, deadline);
-  if(surface.number_of_faces() > very_fine * faces)
-    collapse_edges(mesh, static_cast<int>(still_fine * faces), SMS::Edge_length_cost<Mesh>(),
-                   SMS::Midpoint_placement<Mesh>(), deadline);
   if(!has_passed(deadline)) // else even the costs of the edges are not computed
-    collapse_edges(mesh, faces, SMS::LindstromTurk_cost<Mesh>(), SMS::LindstromTurk_placement<Mesh>(), deadline);
+    SMS::edge_collapse(mesh,
+                       Edge_count_or_deadline_stop_predicate<Mesh>(3 * static_cast<std::size_t>(faces) / 2, deadline),
+                       CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
+                           .get_placement(SMS::LindstromTurk_placement<Mesh>())
+                           .filter(SMS::Bounded_normal_change_filter<>()));
   if(has_passed(deadline))
     return std::nullopt;
   mesh.collect_garbage();

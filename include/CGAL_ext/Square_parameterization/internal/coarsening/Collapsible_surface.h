@@ -1,13 +1,14 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_COLLAPSIBLE_PATCH_H
-#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_COLLAPSIBLE_PATCH_H
+#ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_COLLAPSIBLE_SURFACE_H
+#define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_COLLAPSIBLE_SURFACE_H
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/is_good_replacement.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
-#include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -21,34 +22,64 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// the triangles of a patch while vertices are collapsed into neighbors. Interior vertices far from each other may be
+/// the triangles of a surface while vertices are collapsed into neighbors. Interior vertices far from each other may be
 /// collapsed by several threads at a time: to collapse one reads the triangles round its neighbors, and changes what belongs to
 /// itself and to its neighbors.
-class Collapsible_patch
+class Collapsible_surface
 {
 public:
-  /// \param least_shape_kept, \param keeps_border see `Patch_coarsener`
-  Collapsible_patch(const Patch& fine, std::optional<double> least_shape_kept, bool keeps_border)
-    : m_fine(fine),
+  /// \param points of the vertices, which must live as long
+  /// \param borders loops of vertices
+  /// \param least_shape_kept, \param keeps_border see `Vertex_collapses`
+  Collapsible_surface(const std::vector<Eigen::Vector3d>& points, std::vector<std::array<int, 3>> triangles,
+                      const std::vector<std::vector<int>>& borders, std::optional<double> least_shape_kept,
+                      bool keeps_border)
+    : m_points(points),
       m_least_shape_kept(least_shape_kept),
-      m_removable_border_vertices(
-          keeps_border ? 0 : (std::max)(0, static_cast<int>(fine.border.size()) - Minimizer_numbers::LEAST_BORDER)),
-      m_triangles(fine.triangles),
-      m_is_alive(fine.triangles.size(), true),
-      m_star(fine.points.size()),
-      m_next(fine.points.size(), -1),
-      m_previous(fine.points.size(), -1),
-      m_is_removed(fine.points.size(), false),
-      m_is_target(fine.points.size(), false)
+      m_triangles(std::move(triangles)),
+      m_is_alive(m_triangles.size(), true),
+      m_star(points.size()),
+      m_next(points.size(), -1),
+      m_previous(points.size(), -1),
+      m_is_removed(points.size(), false),
+      m_is_target(points.size(), false)
   {
     find_stars();
-    for(std::size_t k = 0; k < fine.border.size(); ++k)
-      join(fine.border[k], fine.border[(k + 1) % fine.border.size()]);
+    int border_vertices = 0;
+    for(const std::vector<int>& border : borders) {
+      border_vertices += static_cast<int>(border.size());
+      for(std::size_t k = 0; k < border.size(); ++k)
+        join(border[k], border[(k + 1) % border.size()]);
+    }
+    if(!keeps_border)
+      m_removable_border_vertices = (std::max)(0, border_vertices - Minimizer_numbers::LEAST_BORDER);
   }
 
-  const std::vector<std::array<int, 3>>& triangles() const { return m_triangles; }
-  bool is_alive(std::size_t f) const { return m_is_alive[f]; }
   bool is_removed(int v) const { return m_is_removed[v]; }
+
+  /// the vertices that are left, ascending
+  std::vector<int> vertices() const
+  {
+    std::vector<int> left;
+    left.reserve(std::count(m_is_removed.begin(), m_is_removed.end(), false));
+    for(std::size_t v = 0; v < m_is_removed.size(); ++v)
+      if(!m_is_removed[v])
+        left.push_back(static_cast<int>(v));
+    return left;
+  }
+
+  /// the triangles that are left, in their order
+  /// \param number #V, of a vertex that is left, by which it is called
+  std::vector<std::array<int, 3>> triangles(const std::vector<int>& number) const
+  {
+    std::vector<std::array<int, 3>> left;
+    left.reserve(std::count(m_is_alive.begin(), m_is_alive.end(), true));
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+      if(m_is_alive[f])
+        left.push_back({number[m_triangles[f][0]], number[m_triangles[f][1]], number[m_triangles[f][2]]});
+    return left;
+  }
+
   bool is_border(int v) const { return m_next[v] >= 0; }
   std::size_t size_of_star(int v) const { return m_star[v].size(); }
 
@@ -164,7 +195,7 @@ private:
         m_star[v].push_back(static_cast<int>(f));
   }
 
-  const Eigen::Vector3d& point(int v) const { return m_fine.points[v]; }
+  const Eigen::Vector3d& point(int v) const { return m_points[v]; }
 
   void join(int v, int next)
   {
@@ -191,9 +222,9 @@ private:
     return true;
   }
 
-  const Patch& m_fine;
+  const std::vector<Eigen::Vector3d>& m_points;
   std::optional<double> m_least_shape_kept;
-  int m_removable_border_vertices;
+  int m_removable_border_vertices = 0;
   std::vector<std::array<int, 3>> m_triangles;
   std::vector<char> m_is_alive;         // per triangle
   std::vector<std::vector<int>> m_star; // per vertex, its triangles
@@ -207,4 +238,4 @@ private:
 
 #include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
-#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_COLLAPSIBLE_PATCH_H
+#endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_COARSENING_COLLAPSIBLE_SURFACE_H

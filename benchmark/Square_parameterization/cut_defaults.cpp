@@ -61,7 +61,7 @@ const std::vector<Variation> variations{{"decision_faces", &Cut_numbers::decisio
                                         {"faces_per_loop", &Cut_numbers::faces_per_loop, 6, 24},
                                         {"least_reduction", &Cut_numbers::least_reduction, 1, 2},
                                         {"very_fine", &Cut_numbers::very_fine, 3.25, 1000},
-                                        {"still_fine", &Cut_numbers::still_fine, 1.5, 4},
+                                        {"still_fine", &Cut_numbers::still_fine, 1.5, 3},
                                         {"corner_candidates", &Cut_numbers::corner_candidates, 2, 16},
                                         {"start_iterations", &Cut_numbers::start_iterations, 0, 4},
                                         {"score_steps", &Cut_numbers::score_steps, 25, 400},

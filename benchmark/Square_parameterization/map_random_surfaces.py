@@ -138,7 +138,9 @@ def check_map(path, l2):
     if result is None:
         return ['the checker fails']
     problems = ['invalid map: ' + problem for problem in result['problems']]
-    if not 0.999999 * result.get('least_l2', 0) <= l2 <= 1.000001 * result.get('l2', math.inf):
+    if l2 is None:
+        problems.append('the report tells no L2 stretch')
+    elif not 0.999999 * result.get('least_l2', 0) <= l2 <= 1.000001 * result.get('l2', math.inf):
         problems.append('the L2 stretch is %.9g to %.9g, not %.9g' % (result['least_l2'], result['l2'], l2))
     return problems
 

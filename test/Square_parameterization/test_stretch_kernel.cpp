@@ -4,6 +4,8 @@
 #include "make_patch_of.h"
 #include "reference_stretch.h"
 
+#include <CGAL_ext/Square_parameterization/internal/energy/measure.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 
 #include <catch2/catch.hpp>
@@ -97,6 +99,36 @@ TEST_CASE("the stretch of random triangles is that of the formula, slivers inclu
     ++checked;
   }
   CHECK(checked > 1000);
+}
+
+TEST_CASE("a map measured on a rectangle has the flips that it has on the square, and no others")
+{
+  const std::vector<std::array<int, 3>> triangles{FIRST_THREE};
+  const std::vector<Flat_triangle> shapes{{1, 0.3, 0.5}};
+  const double aspect = 0.985;
+  Random_numbers random(1);
+  int flipped_by_rounding = 0;
+  for(int i = 0; i < 1000; ++i) {
+    const auto point = [&] { return Eigen::Vector2d(random(0, 1), random(0, 1)); };
+    const Eigen::Vector2d p = point(), q = point();
+    Uv_coordinates uv = as_uv({p, q, i % 2 == 0 ? point() : Eigen::Vector2d(p + random(0, 1) * (q - p))});
+    if(!is_counterclockwise(uv, FIRST_THREE))
+      uv.row(0).swap(uv.row(1));
+    if(!is_counterclockwise(uv, FIRST_THREE)) // flat
+      continue;
+    const CGAL_ext::Stretch_measures measures = measure(shapes, triangles, uv, scale_to_rectangle(aspect)),
+                                     of_rounded = measure(shapes, triangles, on_rectangle(uv, aspect));
+    CHECK(measures.flipped_faces == 0);
+    CHECK(std::isfinite(measures.l2));
+    flipped_by_rounding += static_cast<int>(of_rounded.flipped_faces);
+    if(i % 2 == 0) {
+      CHECK(measures.l2 == Approx(of_rounded.l2));
+      CHECK(measures.linf == Approx(of_rounded.linf));
+      CHECK(measures.symmetric_dirichlet == Approx(of_rounded.symmetric_dirichlet));
+      CHECK(measures.uv_area == Approx(of_rounded.uv_area));
+    }
+  }
+  CHECK(flipped_by_rounding > 50); // of about 500 slivers
 }
 
 TEST_CASE("a clockwise or flat uv triangle has infinite stretch")

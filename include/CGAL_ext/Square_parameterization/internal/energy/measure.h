@@ -19,14 +19,16 @@ namespace CGAL_ext {
 namespace internal {
 
 /// measures a map given as flat arrays, in any unit of length
+/// \param scale factors of u and v, by which the map is scaled; its triangles are flipped or not as they are without it
 inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
-                                const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
+                                const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv,
+                                const Eigen::RowVector2d& scale = Eigen::RowVector2d(1, 1))
 {
   Stretch_measures result;
   result.flipped_faces = number_of_flipped_faces(triangles, uv);
   double energy = 0, inverse_energy = 0, surface_area = 0;
   for(std::size_t f = 0; f < triangles.size(); ++f) {
-    const Triangle_stretch stretch = triangle_stretch(shapes[f], uv, triangles[f]);
+    const Triangle_stretch stretch = triangle_stretch(shapes[f], uv, triangles[f], scale);
     const double area = shapes[f].area();
     surface_area += area;
     result.uv_area += stretch.uv_area;
@@ -39,12 +41,12 @@ inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
       inverse_energy += stretch.l2_squared / (determinant * determinant) * area;
     }
   }
-  const double scale = std::sqrt(result.uv_area / surface_area);
-  result.l2 = std::sqrt(energy / surface_area) * scale;
-  result.linf *= scale;
+  const double to_unit = std::sqrt(result.uv_area / surface_area);
+  result.l2 = std::sqrt(energy / surface_area) * to_unit;
+  result.linf *= to_unit;
   for(double& l2 : result.face_l2)
-    l2 *= scale;
-  result.symmetric_dirichlet = (energy * scale * scale + inverse_energy / (scale * scale)) / (2 * surface_area);
+    l2 *= to_unit;
+  result.symmetric_dirichlet = (energy * to_unit * to_unit + inverse_energy / (to_unit * to_unit)) / (2 * surface_area);
   if(result.flipped_faces > 0 || !(energy < std::numeric_limits<double>::infinity()))
     result.l2 = result.linf = result.symmetric_dirichlet = std::numeric_limits<double>::infinity();
   return result;

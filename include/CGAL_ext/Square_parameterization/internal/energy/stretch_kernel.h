@@ -71,14 +71,18 @@ inline double l2_squared(const Flat_triangle& shape, const Uv_coordinates& uv, c
 }
 
 /// computes the stretch of one triangle, however thin it is in the plane
+/// \param scale factors of u and v, of a map that is to be scaled: rounding its coordinates would flip thin triangles
 inline Triangle_stretch triangle_stretch(const Flat_triangle& shape, const Uv_coordinates& uv,
-                                         const std::array<int, 3>& t)
+                                         const std::array<int, 3>& t,
+                                         const Eigen::RowVector2d& scale = Eigen::RowVector2d(1, 1))
 {
-  const double twice_area = accurate_twice_area(uv.row(t[0]), uv.row(t[1]), uv.row(t[2]));
-  const Inverse_differential differential = inverse_differential(shape, uv, t, twice_area);
+  const double twice_area = accurate_twice_area(uv.row(t[0]), uv.row(t[1]), uv.row(t[2])) * scale.prod();
+  Inverse_differential differential = inverse_differential(shape, uv, t, twice_area);
   const double uv_area = differential.determinant / 2;
   if(!differential.is_counter_clockwise())
     return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), uv_area};
+  for(Eigen::RowVector2d* part : {&differential.across, &differential.along})
+    *part = part->cwiseProduct(scale);
   const Eigen::RowVector2d &across = differential.across, &along = differential.along;
   // the largest singular value, as half the sum of two lengths: a root of a difference of squares would lose half the
   // digits near an isometry

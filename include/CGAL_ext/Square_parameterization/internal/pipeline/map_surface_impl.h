@@ -256,8 +256,8 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
   if(settings.seam_grid && !disk.edits.copies.empty())
     share_seam_samples(disk.patch, originals_in_disk(disk.edits, surface_vertices, disk.patch.number_of_vertices()),
                        settings, disk.outcome, report);
-  report.measures = measure(shapes_as_given(disk.patch), disk.patch.triangles,
-                            on_rectangle(disk.outcome.map.uv, disk.outcome.map.aspect));
+  report.measures = measure(shapes_as_given(disk.patch), disk.patch.triangles, disk.outcome.map.uv,
+                            scale_to_rectangle(disk.outcome.map.aspect));
   report.aspect = disk.outcome.map.aspect;
   Mapped_surface result{std::move(disk.edits), std::move(disk.patch.triangles), std::move(disk.outcome.map.uv), {}};
   for(int k = 0; k < 4; ++k)

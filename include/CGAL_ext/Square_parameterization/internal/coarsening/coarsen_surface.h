@@ -19,8 +19,8 @@ namespace CGAL_ext {
 namespace internal {
 
 /// a surface of the same topology with about \p faces triangles, or more where short edges cannot be collapsed without
-/// slivers, by `Vertex_collapses`: its vertices are some of the given ones, all of the border among them. Takes a tenth of
-/// the time of simplification by shape.
+/// slivers, by `Vertex_collapses`: its vertices are some of the given ones, all of the border among them. Takes a
+/// fraction of the time of simplification by shape.
 inline Triangle_surface coarsen_surface(const Triangle_surface& fine, int faces)
 {
   constexpr int MOST_WAVES = (std::numeric_limits<int>::max)(); // nothing is put back

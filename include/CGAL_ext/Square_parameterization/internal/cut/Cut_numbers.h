@@ -43,8 +43,8 @@ struct Cut_numbers
   /// copy costs in accuracy
   double least_reduction = 1.25;
 
-  /// times the faces aimed at: of a surface that has more, short edges are collapsed first, in a tenth of the time of
-  /// collapsing by shape alone
+  /// times the faces aimed at: of a surface that has more, short edges are collapsed first, in a fraction of the
+  /// time of collapsing by shape alone
   double very_fine = 4;
 
   /// times the faces aimed at: where collapsing short edges ends, and collapsing by shape begins. Fewer is faster, and

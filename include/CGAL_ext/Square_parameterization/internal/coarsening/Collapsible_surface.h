@@ -68,15 +68,36 @@ public:
     return left;
   }
 
+  /// #V, the place of each vertex among those that are left; -1 for one that is not
+  std::vector<int> places() const
+  {
+    std::vector<int> places(m_is_removed.size(), -1);
+    int place = 0;
+    for(int v : vertices())
+      places[v] = place++;
+    return places;
+  }
+
+  /// the points of the vertices that are left
+  std::vector<Eigen::Vector3d> points() const
+  {
+    std::vector<Eigen::Vector3d> left;
+    const std::vector<int> of_vertices = vertices();
+    left.reserve(of_vertices.size());
+    for(int v : of_vertices)
+      left.push_back(point(v));
+    return left;
+  }
+
   /// the triangles that are left, in their order
-  /// \param number #V, of a vertex that is left, by which it is called
-  std::vector<std::array<int, 3>> triangles(const std::vector<int>& number) const
+  /// \param place see `places()`
+  std::vector<std::array<int, 3>> triangles(const std::vector<int>& place) const
   {
     std::vector<std::array<int, 3>> left;
     left.reserve(std::count(m_is_alive.begin(), m_is_alive.end(), true));
     for(std::size_t f = 0; f < m_triangles.size(); ++f)
       if(m_is_alive[f])
-        left.push_back({number[m_triangles[f][0]], number[m_triangles[f][1]], number[m_triangles[f][2]]});
+        left.push_back({place[m_triangles[f][0]], place[m_triangles[f][1]], place[m_triangles[f][2]]});
     return left;
   }
 

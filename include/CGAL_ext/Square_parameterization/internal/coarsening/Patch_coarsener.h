@@ -10,7 +10,6 @@
 
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -46,15 +45,10 @@ public:
 private:
   void gather(Coarse_patch& coarse) const
   {
-    coarse.fine_vertex = m_collapses.surface().vertices();
-    std::vector<int> place(m_fine.points.size(), -1);
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(coarse.fine_vertex.size());
-    for(int v : coarse.fine_vertex) {
-      place[v] = static_cast<int>(points.size());
-      points.push_back(m_fine.points[v]);
-    }
-    coarse.patch = make_patch(std::move(points), m_collapses.surface().triangles(place), gather_border(place, coarse));
+    const Collapsible_surface& left = m_collapses.surface();
+    const std::vector<int> place = left.places();
+    coarse.fine_vertex = left.vertices();
+    coarse.patch = make_patch(left.points(), left.triangles(place), gather_border(place, coarse));
   }
 
   /// the border of the coarse patch; tells the patch of the fine one

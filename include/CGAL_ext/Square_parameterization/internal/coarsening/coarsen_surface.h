@@ -10,8 +10,6 @@
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
 #include <limits>
-#include <utility>
-#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -29,13 +27,8 @@ inline Triangle_surface coarsen_surface(const Triangle_surface& fine, int faces)
   Coarse_patch removals;
   const int target = fine.number_of_vertices() - (fine.number_of_faces() - faces) / 2; // two go with each vertex
   collapses(target, vertices_along_curve(fine.points), Minimizer_numbers::VERTICES_COARSENED_AT_A_TIME, removals);
-  std::vector<int> place(fine.points.size(), -1);
-  std::vector<Eigen::Vector3d> points;
-  for(int v : collapses.surface().vertices()) {
-    place[v] = static_cast<int>(points.size());
-    points.push_back(fine.points[v]);
-  }
-  return make_triangle_surface(std::move(points), collapses.surface().triangles(place));
+  const Collapsible_surface& left = collapses.surface();
+  return make_triangle_surface(left.points(), left.triangles(left.places()));
 }
 
 } // namespace internal

@@ -149,7 +149,7 @@ TEST_CASE("an allocation that fails, whichever it is, ends in a sentence, and no
       }
 }
 
-TEST_CASE("memory lies on huge pages, but where the address space is limited; the map is the same")
+TEST_CASE("memory lies on huge pages, but where the address space is limited, and the map is the same")
 {
   const std::string setting = read_file("/sys/kernel/mm/transparent_hugepage/enabled");
   if(setting.find("[madvise]") == std::string::npos) {

@@ -399,7 +399,7 @@ TEST_CASE("what leads to no map counts as work")
   CHECK(lost > 0);
 }
 
-TEST_CASE("the other starts have a fixed order, and each leads to a map; the last three keep the border as it is")
+TEST_CASE("the other starts have a fixed order, and each leads to a map, and the last three keep the border as it is")
 {
   const Patch patch = make_patch_of(noisy_height_field(30));
   const Uv_coordinates border = square_border_of(patch, 0);
@@ -425,9 +425,10 @@ TEST_CASE("the other starts have a fixed order, and each leads to a map; the las
   CHECK(other_starts(make_patch_of(unit_square(1)), {}, {}).size() == sliding.size()); // four corners cannot slide
 }
 
-TEST_CASE("a map that stays above a limit is left on its way, and finished by another call; one below it is finished")
+TEST_CASE(
+    "a map that stays above a limit is left on its way, and finished by another call, and one below it is finished")
 {
-  const Patch patch = make_patch_of(rectangle(8, 8, 1e4, 1, 1));
+  const Patch patch = make_patch_of(rectangle(8, 8, 150, 1, 1));
   Balanced_minimization options;
   options.search_tolerance = 0.1;
   options.tolerance = 1e-9;

@@ -41,7 +41,7 @@ TEST_CASE("a mesh of OpenMesh has the map of a Surface_mesh")
   }
 }
 
-TEST_CASE("a closed mesh of OpenMesh is cut and mapped; a failed call leaves it as it was")
+TEST_CASE("a closed mesh of OpenMesh is cut and mapped, and a failed call leaves it as it was")
 {
   typedef OpenMesh::PolyMesh_ArrayKernelT<Double_traits> Open_mesh;
   const Closed_mesh torus_mesh = torus(16, 9);

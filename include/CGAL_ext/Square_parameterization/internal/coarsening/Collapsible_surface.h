@@ -164,13 +164,12 @@ public:
     if(is_border(from) && (m_removable_border_vertices == 0 || m_is_target[from] || m_is_target[to] ||
                            has_large_star(to) || has_border_vertex_inside(ring)))
       return false;
-    // the two ends have no common neighbors but the opposite corners, which keep three neighbors
-    for(int f : m_star[to])
-      for(int w : m_triangles[f])
-        if(w != from && w != to && w != before && w != after && std::find(ring.begin(), ring.end(), w) != ring.end())
-          return false;
+    // the opposite corners keep three neighbors, and the two ends have no other common neighbors
     for(int w : {before, after})
       if(w != to && m_star[w].size() <= (is_border(w) ? 1u : 3u))
+        return false;
+    for(int w : ring)
+      if(w != to && w != before && w != after && are_neighbors(w, to))
         return false;
     return !m_least_shape_kept || keeps_shape(from, to, ring);
   }
@@ -222,6 +221,16 @@ private:
   {
     m_next[v] = next;
     m_previous[next] = v;
+  }
+
+  /// looks at the smaller of the two stars: one may be a fan of thousands
+  bool are_neighbors(int v, int w) const
+  {
+    const auto [of_smaller, other] = m_star[v].size() < m_star[w].size() ? std::pair(v, w) : std::pair(w, v);
+    return std::any_of(m_star[of_smaller].begin(), m_star[of_smaller].end(), [this, vertex = other](int f) {
+      const auto& t = m_triangles[f];
+      return t[0] == vertex || t[1] == vertex || t[2] == vertex;
+    });
   }
 
   bool has_large_star(int v) const { return m_star[v].size() > Minimizer_numbers::LARGEST_STAR; }

@@ -142,6 +142,41 @@ TEST_CASE("what cannot be repaired is told: a chord on a side, positions that ar
   CHECK_FALSE(is_repairable(patch, uv));
 }
 
+TEST_CASE("flips all over a map are repaired where vertices have room, and given up soon where they have none")
+{
+  const Patch patch = make_patch_of(unit_square(60));
+  const Uv_coordinates map = some_map(patch);
+  const std::vector<int> interior = interior_vertices(patch);
+  Uv_coordinates spoilt = map;
+  for(std::size_t i = 0; i < interior.size(); i += 5) // over the edge of the ring
+    spoilt.row(interior[i]) += Eigen::RowVector2d(0.03, 0.001);
+  REQUIRE(number_of_flipped_faces(patch.triangles, spoilt) > 1000);
+  CHECK(is_repairable(patch, spoilt));
+
+  Random_numbers random(11);
+  Uv_coordinates tangled = map;
+  for(int v : interior)
+    tangled.row(v) << random(0, 1), random(0, 1);
+  long work = 0;
+  CHECK_FALSE(repair_flips(patch, tangled, work));
+  const long work_of_sweep = 3 * static_cast<long>(patch.triangles.size());
+  CHECK(work > work_of_sweep);
+  CHECK(work < (Minimizer_numbers::REPAIR_SWEEPS_PER_RING + 1) * work_of_sweep);
+}
+
+TEST_CASE("the vertex of a large fan, whose kernel takes time with the square of its triangles, is counted so")
+{
+  const int n = 2000;
+  const Patch patch = make_patch_of(flat_disk(1, n));
+  const std::vector<int> interior = interior_vertices(patch);
+  REQUIRE(interior.size() == 1);
+  Uv_coordinates uv = some_map(patch);
+  uv.row(interior[0]) << 0.5, 2;
+  long work = 0;
+  CHECK(repair_flips(patch, uv, work));
+  CHECK(work > 10 * n);
+}
+
 TEST_CASE("an iteration that starts with a map lost in rounding goes on from the repaired one")
 {
   // weights that leave the vertices of the inner part within a rounding error of each other

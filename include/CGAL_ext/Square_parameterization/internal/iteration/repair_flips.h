@@ -44,19 +44,20 @@ public:
       m_is_border[v] = true;
   }
 
-  /// in vertices visited by a sweep: each triangle that is looked at round a vertex takes as long as one of them; measured
+  /// in vertices visited by a sweep: each triangle that is looked at round a vertex takes as long as one of them; measured. Those
+  /// of a large fan take more.
   long work() const { return m_work; }
 
   /// returns whether all triangles are counter-clockwise, by exact arithmetic
   bool operator()()
   {
-    for(int sweep = 0; sweep < Minimizer_numbers::MAXIMUM_REPAIR_SWEEPS; ++sweep) {
+    for(int sweep = 0; sweep < Minimizer_numbers::MAXIMUM_REPAIR_SWEEPS && !is_hopeless(sweep); ++sweep) {
       const std::vector<int> vertices = vertices_near_bad_triangles(sweep / Minimizer_numbers::REPAIR_SWEEPS_PER_RING);
       if(vertices.empty())
         return true;
       for(int v : vertices)
         if(!m_is_border[v]) {
-          m_work += static_cast<long>(m_star[v].size());
+          m_work += work_of_move(static_cast<long>(m_star[v].size()));
           move(v);
         }
     }
@@ -64,6 +65,18 @@ public:
   }
 
 private:
+  /// each triangle is looked at, and each of its sides cuts a kernel of up to as many; measured
+  static long work_of_move(long triangles) { return triangles + triangles * triangles / 150; }
+
+  /// indicates whether more triangles are bad than the sweeps that are left may repair; none is before the first ring moves
+  bool is_hopeless(int sweep) const
+  {
+    const long left = Minimizer_numbers::MAXIMUM_REPAIR_SWEEPS - sweep;
+    const double most = double(left) * Minimizer_numbers::most_repaired_in_sweep(m_triangles.size());
+    return sweep >= Minimizer_numbers::REPAIR_SWEEPS_PER_RING &&
+           double(std::count(m_is_bad.begin(), m_is_bad.end(), true)) > most;
+  }
+
   /// a triangle whose computed area is not positive is of no use to those who minimise the stretch, whatever its exact
   /// area is
   bool is_bad(int f) const

@@ -141,6 +141,10 @@ struct Cut_numbers
   /// no map in the end; more: seconds of search in vain.
   long times_work_without_map = 5;
 
+  /// the same on a surface so small that no copy of `growth_faces` is made. More: surfaces of some hundred faces that have no
+  /// map take a second to be refused.
+  long times_work_without_map_of_small = 2;
+
   /// L2 stretch that the best cut leaves above which growth on the last copy goes on for `times_growth_work`, but for no
   /// more than `long_growth_work`, where that is twice the usual work. Of such surfaces growth meets a much better cut now
   /// and then: L2 + 0.05 length of 15 of 394 random surfaces changed, and fell by 15 % in the geometric mean. More

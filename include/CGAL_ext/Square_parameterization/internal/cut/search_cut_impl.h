@@ -147,6 +147,8 @@ private:
   {
     Cut_score_options scoring = m_scoring;
     scoring.numbers.score_tolerance = tolerance;
+    if(m_grows_on_surface)
+      scoring.numbers.times_work_without_map = numbers().times_work_without_map_of_small;
     return {surface, scoring, m_max_cut_length, m_team, m_deadline, m_progress};
   }
 
@@ -199,7 +201,7 @@ private:
     const std::optional<Triangle_surface> copy =
         simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
     const Triangle_surface& grown = copy ? *copy : surface;
-    m_growth_work_per_vertex = copy ? numbers().growth_work_per_vertex : numbers().growth_work_of_small;
+    m_grows_on_surface = !copy;
     std::vector<Cut> starts = rerouted_initial_cuts(grown, numbers(), m_team);
     const int simpler_copies = copy ? numbers().simpler_copies : numbers().simpler_copies_of_small;
     std::set<int> sizes{grown.number_of_faces()}; // handles may keep copies from getting simpler: each is grown on once
@@ -252,7 +254,7 @@ private:
   {
     Cut_pool pool = make_pool(surface, numbers().score_tolerance);
     const long most_work = work_of_growth(surface);
-    pool.start(starts, (std::max)(most_work, m_growth_work_per_vertex * surface.number_of_vertices()));
+    pool.start(starts, (std::max)(most_work, growth_work_per_vertex() * surface.number_of_vertices()));
     grow(pool, most_work);
     return pool;
   }
@@ -289,11 +291,17 @@ private:
     return number_of_loops(surface) <= numbers().most_loops_refined ? numbers().refinement_work : 0;
   }
 
+  /// vertices mapped
+  long growth_work_per_vertex() const
+  {
+    return m_grows_on_surface ? numbers().growth_work_of_small : numbers().growth_work_per_vertex;
+  }
+
   /// what growth may cost, in vertices mapped; it may end earlier
   long work_of_growth(const Triangle_surface& surface) const
   {
     const long by_size =
-        (std::max)(numbers().least_growth_work, m_growth_work_per_vertex * surface.number_of_vertices());
+        (std::max)(numbers().least_growth_work, growth_work_per_vertex() * surface.number_of_vertices());
     return (std::min)(by_size,
                       has_many_loops(surface, numbers()) ? numbers().little_growth_work : numbers().growth_work);
   }
@@ -306,7 +314,7 @@ private:
   Thread_team& m_team;
   Cut_report& m_report;
   Cut_history m_history;
-  long m_growth_work_per_vertex = 0; // vertices mapped
+  bool m_grows_on_surface = false; // which is so small that there is no copy to grow on
 };
 
 CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> search_cut(const Triangle_surface& surface,

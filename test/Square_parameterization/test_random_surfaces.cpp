@@ -164,6 +164,45 @@ TEST_CASE("a surface whose usual start leads to no map, or to a poor one, is map
       CHECK(mapped.measures.l2 < 1.3 * other.measures.l2);
 }
 
+TEST_CASE("a surface of which the cut that was decided on leaves no map is mapped along the shortest cut")
+{
+  const auto soup = Random_surface(96401433, 9000).soup();
+  Choices_of_bytes choices = default_choices();
+  const Mapped_soup mapped = map_soup(soup, choices);
+  REQUIRE(mapped.outcome == Outcome::ONE_TO_ONE);
+  CHECK(mapped.has_shortest_cut);
+  choices.options.tries_other_starts = false; // nor other cuts
+  CHECK(map_soup(soup, choices).outcome == Outcome::UNMAPPED);
+  choices.options.tries_other_starts = true;
+  choices.options.cut.mode = CGAL_ext::Cut_mode::SHORTEST;
+  const Mapped_soup shortest = map_soup(soup, choices);
+  CHECK_FALSE(shortest.has_shortest_cut); // instead of another one
+  CHECK(shortest.measures.l2 == mapped.measures.l2);
+}
+
+namespace {
+
+/// counts the scores of cuts, which are told in groups
+struct Progress_counter : CGAL_ext::Search_visitor
+{
+  void cut_progress(double) override { ++calls; }
+  int calls = 0;
+};
+
+} // namespace
+
+TEST_CASE("a surface of some hundred faces of which no cut has a map is not searched for one for long")
+{
+  Progress_counter
+      counter; // a crumpled and snapped fan with handles: 45 calls where it is searched as long as a large one
+  Choices_of_bytes choices = default_choices();
+  choices.options.search_options.visitor = &counter;
+  const Mapped_soup mapped = map_soup(Random_surface(95000952, 2000).soup(), choices);
+  CHECK(mapped.outcome == Outcome::UNMAPPED);
+  CHECK(counter.calls > 5);
+  CHECK(counter.calls < 30);
+}
+
 TEST_CASE("each start has a name of its own")
 {
   std::set<std::string> names;

@@ -57,7 +57,11 @@ struct Cut_report
   std::vector<Cut_choice> front;
 
   std::size_t decision_faces = 0; ///< faces of the surface decided on: fewer than the input's when that was simplified
-  bool is_cancelled = false;      ///< the deadline ended the comparison of cuts: this is the best so far
+
+  /// the cut that was decided on left no disk with a map, or one that is stretched beyond all measure, and the shortest cut was taken
+  /// instead
+  bool is_replaced = false;
+  bool is_cancelled = false; ///< the deadline ended the comparison of cuts: this is the best so far
 };
 
 } // namespace CGAL_ext

@@ -29,6 +29,7 @@ struct Mapped_soup
   std::string message;                   ///< why there is no map
   CGAL_ext::Stretch_measures measures{}; ///< of the map
   CGAL_ext::Map_start start{};           ///< where it began
+  bool has_shortest_cut = false;         ///< instead of the one that was decided on
 };
 
 /// some edges of the mesh
@@ -103,7 +104,7 @@ inline Mapped_soup map_soup(CGAL_ext::internal::Surface_soup soup, const Choices
   check_one_to_one(mesh, uv, result);
   check_border_walk(mesh, uv, result.corners[0]);
   check_stretch(mesh, uv, result.measures);
-  return {Outcome::ONE_TO_ONE, "", result.measures, result.start};
+  return {Outcome::ONE_TO_ONE, "", result.measures, result.start, result.cut.is_replaced};
 }
 
 #endif // CGAL_EXT_FUZZ_MAP_SOUP_H

@@ -47,7 +47,9 @@ inline void tell_map(const CGAL_ext::Square_map_result<Mesh>& result, double tot
 {
   if(result.cut.seam_edges > 0)
     std::cerr << "cut along " << counted(result.cut.seam_edges, "edge", "edges") << ", " << result.cut.cut_length
-              << " sqrt(area) long\n";
+              << " sqrt(area) long"
+              << (result.cut.is_replaced ? ": the shortest cut, for the best one led to no map, or to a bad one\n"
+                                         : "\n");
   if(result.degenerate_faces > 0)
     std::cerr << counted(result.degenerate_faces, "face without area was mapped as if it were a little wide\n",
                          "faces without area were mapped as if they were a little wide\n");

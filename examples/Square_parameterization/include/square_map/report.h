@@ -72,6 +72,7 @@ inline nlohmann::ordered_json cut_report(const CGAL_ext::Cut_report& cut)
   nlohmann::ordered_json json{{"decision_faces", cut.decision_faces},
                               {"score", number(cut.score)},
                               {"l2", number(cut.stretch)},
+                              {"replaced", cut.is_replaced},
                               {"front", nlohmann::ordered_json::array()},
                               {"history", nlohmann::ordered_json::array()}};
   for(const CGAL_ext::Cut_choice& choice : cut.front)

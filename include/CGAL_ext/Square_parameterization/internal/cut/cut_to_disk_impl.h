@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -107,6 +109,23 @@ CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> cuts_to_disk(const Triangle_su
   if(options.mode == Cut_mode::BEST)
     return search_cut(surface, options, team, report);
   return {{shortest_cut(surface, team)}};
+}
+
+CGAL_EXT_INLINE_FUNCTION std::optional<Decided_cut> cut_instead(const Triangle_surface& surface,
+                                                                const std::vector<Decided_cut>& decided,
+                                                                const std::vector<std::array<int, 2>>& seams,
+                                                                const Seam_options& options)
+{
+  const bool is_decided =
+      seams.empty() && options.mode == Cut_mode::BEST && !(surface.is_disk() && !options.may_cut_disk());
+  if(!is_decided)
+    return std::nullopt;
+  Thread_team team(options.number_of_threads);
+  Cut shortest = shortest_cut(surface, team);
+  const auto is_shortest = [&](const Decided_cut& cut) { return cut.cut.edges() == shortest.edges(); };
+  if(std::any_of(decided.begin(), decided.end(), is_shortest))
+    return std::nullopt;
+  return Decided_cut{std::move(shortest)};
 }
 
 CGAL_EXT_INLINE_FUNCTION void report_cut(const Triangle_surface& surface, const Decided_cut& taken, Cut_report& report)

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <exception>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -183,47 +184,91 @@ inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3
   return {std::move(patch), std::move(disk.edits), std::move(outcome)};
 }
 
-/// indicates whether a second cut that all but ties is mapped, too: not where the corners are chosen, or searched in another
-/// way than by a few maps, for all processes that share a search must have one disk
-inline bool may_map_twice(const Chosen_elements& chosen, const Square_map_settings& settings)
+/// indicates whether more than one cut may be mapped: not where the corners are chosen, or searched in another way than by a few
+/// maps, for all processes that share a search must have one disk
+inline bool may_map_again(const Chosen_elements& chosen, const Square_map_settings& settings)
 {
   return !chosen.corners && settings.search.is_of_type<Bracketing_corner_search>() &&
          std::holds_alternative<Balanced_minimization>(settings.minimization);
 }
 
-/// maps the disks that the cuts leave, and returns the best: with the lowest L2 stretch plus weighted length of the cut
-/// \param report of the best disk, with the times of all
-inline Mapped_disk map_best_disk(const Triangle_surface& surface, const std::vector<Eigen::Vector3d>& points,
-                                 const std::vector<Decided_cut>& cuts, const Chosen_elements& chosen,
-                                 const Surface_arrays& mesh, const Square_map_settings& settings,
-                                 Square_map_report& report)
+/// maps the disks that cuts leave, and keeps the best: with the lowest L2 stretch plus weighted length of the cut
+class Best_disk
 {
-  const auto score = [&settings](const Mapped_disk& disk, const Square_map_report& of_disk) {
-    return disk.outcome.map.report.l2 + settings.cut.cut_weight * of_disk.cut.cut_length;
-  };
-  const auto start = Clock::now();
-  std::optional<Mapped_disk> best;
-  Square_map_report of_best;
-  for(const Decided_cut& cut : cuts) {
+public:
+  Best_disk(const Surface_arrays& mesh, const Chosen_elements& chosen, const Square_map_settings& settings)
+    : m_mesh(mesh), m_chosen(chosen), m_settings(settings)
+  {}
+
+  /// \param surface of the mesh
+  /// \param report of this disk; its times are those of all
+  void map(Triangle_surface surface, const Decided_cut& cut, Square_map_report& report)
+  {
     report_cut(surface, cut, report.cut);
     try {
-      Mapped_disk next = map_disk(surface, points, cut.cut, chosen, mesh, settings, report);
-      if(!best || score(next, report) < score(*best, of_best)) {
-        best.emplace(std::move(next));
-        of_best = report;
+      Mapped_disk next = map_disk(std::move(surface), m_mesh.points, cut.cut, m_chosen, m_mesh, m_settings, report);
+      if(!m_best || score(next, report) < score(*m_best, m_report)) {
+        m_best.emplace(std::move(next));
+        m_report = report;
       }
-    } catch(const Unmappable&) { // the next one may have a map
-      if(!best && (&cut == &cuts.back() || report.search.is_cancelled))
-        throw;
+    } catch(const Unmappable&) { // another one may have a map
+      m_failure = std::current_exception();
     }
-    if(report.search.is_cancelled || (best && !has_time_again(start, settings.search_options.deadline)))
-      break;
   }
-  of_best.condition_seconds = report.condition_seconds;
-  of_best.search_seconds = report.search_seconds;
-  of_best.search.is_cancelled = report.search.is_cancelled;
-  report = std::move(of_best);
-  return std::move(*best);
+
+  bool has_map() const { return m_best.has_value(); }
+
+  /// indicates whether there is no map, or one that only another cut can make better
+  bool is_lost() const { return !m_best || is_poor(m_best->outcome, Minimizer_numbers::LOST_RESULT); }
+
+  /// the best disk. Throws `Unmappable` when there is none.
+  /// \param report that of the last one; it becomes that of the best, with the times of all
+  Mapped_disk take(Square_map_report& report)
+  {
+    if(!m_best)
+      std::rethrow_exception(m_failure);
+    m_report.condition_seconds = report.condition_seconds;
+    m_report.search_seconds = report.search_seconds;
+    m_report.search.is_cancelled = report.search.is_cancelled;
+    report = std::move(m_report);
+    return std::move(*m_best);
+  }
+
+private:
+  double score(const Mapped_disk& disk, const Square_map_report& of_disk) const
+  {
+    return disk.outcome.map.report.l2 + m_settings.cut.cut_weight * of_disk.cut.cut_length;
+  }
+
+  const Surface_arrays& m_mesh;
+  const Chosen_elements& m_chosen;
+  const Square_map_settings& m_settings;
+  std::optional<Mapped_disk> m_best;
+  Square_map_report m_report; // of the best
+  std::exception_ptr m_failure;
+};
+
+/// maps the disks that the cuts leave, as far as there is time, and that of the shortest cut where their maps are lost
+/// \param report of the best disk, with the times of all
+inline Mapped_disk map_best_disk(Triangle_surface surface, const Surface_arrays& mesh,
+                                 const std::vector<Decided_cut>& cuts, const Chosen_elements& chosen,
+                                 const Square_map_settings& settings, Square_map_report& report)
+{
+  const auto start = Clock::now();
+  const auto may_go_on = [&] {
+    return !report.search.is_cancelled && has_time_again(start, settings.search_options.deadline);
+  };
+  Best_disk best(mesh, chosen, settings);
+  for(std::size_t i = 0; i < cuts.size() && (i == 0 || !best.has_map() || may_go_on()); ++i)
+    best.map(i + 1 < cuts.size() ? surface : std::move(surface), cuts[i], report);
+  if(settings.tries_other_starts && best.is_lost() && may_go_on()) {
+    Triangle_surface again = make_checked_surface(mesh);
+    if(const auto other = cut_instead(again, cuts, chosen.seams, seam_options(settings))) {
+      report.cut.is_replaced = true;
+      best.map(std::move(again), *other, report);
+    }
+  }
+  return best.take(report);
 }
 
 CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const Chosen_elements& chosen,
@@ -235,7 +280,6 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
   const Thread_team::Scope scope(team);
   const int surface_vertices = static_cast<int>(mesh.points.size());
   Triangle_surface surface = make_checked_surface(mesh);
-  mesh.triangles = std::vector<std::array<int, 3>>(); // from here on each has its memory as long as it is needed
   const std::vector<Decided_cut> cuts = cuts_to_disk(surface, chosen.seams, seam_options(settings), report.cut);
   report_cut(surface, cuts.front(), report.cut);
   report.cut_seconds = seconds_since(start);
@@ -246,11 +290,12 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
   const bool is_cut =
       std::any_of(cuts.begin(), cuts.end(), [](const Decided_cut& c) { return !c.cut.edges().empty(); });
   const Square_map_settings of_maps = settings.seam_grid && is_cut ? with_time_for_seams(settings) : settings;
-  std::vector<Eigen::Vector3d> points = std::move(mesh.points);
+  if(!is_cut)
+    mesh.triangles = std::vector<std::array<int, 3>>(); // from here on each has its memory as long as it is needed
   Mapped_disk disk =
-      cuts.size() > 1 && may_map_twice(chosen, settings)
-          ? map_best_disk(surface, points, cuts, chosen, mesh, of_maps, report)
-          : map_disk(std::move(surface), std::move(points), cuts.front().cut, chosen, mesh, of_maps, report);
+      is_cut && may_map_again(chosen, settings)
+          ? map_best_disk(std::move(surface), mesh, cuts, chosen, of_maps, report)
+          : map_disk(std::move(surface), std::move(mesh.points), cuts.front().cut, chosen, mesh, of_maps, report);
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(disk.outcome.map.report);
   if(settings.seam_grid && !disk.edits.copies.empty())

@@ -55,7 +55,8 @@ inline std::vector<Other_weights> other_weights(const Balanced_minimization& cho
 
 /// the starts that are left when that of the options has failed, in the order in which they are tried. Where they are cheap
 /// other weights are the first, as they are seldom lost on the same surface; in small steps most maps are found that are
-/// lost in rounding whatever the weights, and these take the place of the first where few starts can be tried.
+/// lost in rounding whatever the weights, and these take the place of the first where few starts can be tried. With a fixed
+/// border, the last, halves are tried alone: most of what is left is lost in small steps either way.
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
                                              const Deadline& deadline)
 {
@@ -80,9 +81,9 @@ inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_
   if(chosen.border != Border_motion::FIXED && can_slide) {
     Balanced_minimization fixed = chosen;
     fixed.border = Border_motion::FIXED;
-    add(Map_start::FIXED_BORDER_FIRST, fixed, chosen.start.weights, Coarsening::BY_EIGHTHS);
+    add(Map_start::FIXED_BORDER_FIRST, fixed, chosen.start.weights, Coarsening::BY_HALVES);
     for(const Other_weights& other : others)
-      add(other.fixed_first, fixed, other.weights, Coarsening::BY_EIGHTHS);
+      add(other.fixed_first, fixed, other.weights, Coarsening::BY_HALVES);
   }
   return starts;
 }

@@ -183,7 +183,9 @@ TEST_CASE("a surface of which the cut that was decided on leaves no map is mappe
 TEST_CASE("a spiral with ears and spikes that small steps of coarsening lose is mapped by halves, with its border "
           "fixed first")
 {
-  const Mapped_soup mapped = map_soup(Random_surface(97000350, 2000).soup(), default_choices());
+  Choices_of_bytes choices = default_choices();
+  choices.options.minimization = CGAL_ext::Balanced_minimization();
+  const Mapped_soup mapped = map_soup(Random_surface(97000350, 2000).soup(), choices);
   REQUIRE(mapped.outcome == Outcome::ONE_TO_ONE);
   CHECK(mapped.start == CGAL_ext::Map_start::FIXED_BORDER_FIRST_MEAN_VALUE_WEIGHTS);
   CHECK(mapped.measures.l2 < 76.43); // of the border that is fixed to the end

@@ -191,6 +191,16 @@ TEST_CASE("a spiral with ears and spikes that small steps of coarsening lose is 
   CHECK(mapped.measures.l2 < 76.43); // of the border that is fixed to the end
 }
 
+TEST_CASE("a torus that is stretched thousands of times along the best cut is mapped along the shortest")
+{
+  Choices_of_bytes choices = default_choices();
+  choices.options.minimization = CGAL_ext::Balanced_minimization();
+  const Mapped_soup mapped = map_soup(Random_surface(17000090, 2000).soup(), choices);
+  REQUIRE(mapped.outcome == Outcome::ONE_TO_ONE);
+  CHECK(mapped.has_shortest_cut);
+  CHECK(mapped.measures.l2 < 30);
+}
+
 namespace {
 
 /// counts the scores of cuts, which are told in groups

@@ -126,6 +126,12 @@ TEST_CASE(
   CHECK(report.search.is_cancelled);
   CHECK(report.search.evaluations > 0);
   CHECK(visitor.searches == 2);
+
+  Counting_visitor of_stopped;
+  settings.search_options.visitor = &of_stopped;
+  settings.search_options.callback = [](double) { return false; };
+  CHECK_THROWS_AS(map_mesh(mesh, settings), Unmappable);
+  CHECK(of_stopped.searches == 1);
 }
 
 TEST_CASE("of a surface that is too large for two maps the best cut alone is decided for")

@@ -46,7 +46,8 @@ struct Cut_report
 {
   std::size_t seam_edges = 0; ///< number of edges cut
   double cut_length = 0;      ///< in units of the square root of the area, every seam counted once
-  /// of the cut that was taken: `stretch` plus the weighted `cut_length`; infinite when there was nothing to decide
+  /// of the cut that was taken: `stretch` plus the weighted `cut_length`; infinite when there was nothing to decide, and for a
+  /// cut that replaces another one
   double score = std::numeric_limits<double>::infinity();
   double stretch = std::numeric_limits<double>::infinity(); ///< its L2 stretch, on the surface that was decided on
   std::vector<Cut_step> history; ///< steps of the decision; empty when there was nothing to decide
@@ -58,7 +59,7 @@ struct Cut_report
 
   std::size_t decision_faces = 0; ///< faces of the surface decided on: fewer than the input's when that was simplified
 
-  /// the cut that was decided on left no disk with a map, or one that is stretched beyond all measure, and the shortest cut was taken
+  /// the cut that was decided on left no disk with a map, or one with an L2 stretch of many hundred, and the shortest cut was taken
   /// instead
   bool is_replaced = false;
   bool is_cancelled = false; ///< the deadline ended the comparison of cuts: this is the best so far

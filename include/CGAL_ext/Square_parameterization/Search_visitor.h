@@ -31,7 +31,7 @@ public:
   virtual void cut_progress(double /* share */) {}
 
   /// called before the first evaluation, once, and again for each other start (see `Map_start`) that is tried, and for a
-  /// second cut that all but ties with the best, or takes its place where that leaves no map, with the number of candidates: an
+  /// second cut that all but ties with the best, or takes its place where that leaves no good map, with the number of candidates: an
   /// upper bound of the evaluations
   virtual void start_search(std::size_t /* candidates */) {}
 

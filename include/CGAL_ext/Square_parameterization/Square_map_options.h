@@ -30,7 +30,8 @@ struct Square_map_settings
   Minimization minimization = Balanced_minimization(); ///< how each candidate is mapped
   Square_search_options search_options;                ///< corner rule, walk, threads, visitor and callback
   /// whether other starts are tried where that of the minimization leads to no map or to a poor one (`Map_start`).
-  /// Without them the curve of a search is that of one start.
+  /// Without them the curve of a search is that of one start. The same for the shortest cut, where the best one leaves no
+  /// good map (`Cut_report::is_replaced`).
   bool tries_other_starts = true;
   Chords chords = Chords::ALL; ///< which chords are split
   /// how the surface is cut to a disk. Cuts are judged with the balance of the minimization, where that has one, on as

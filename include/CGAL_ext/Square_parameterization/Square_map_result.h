@@ -29,8 +29,7 @@ namespace CGAL_ext {
 /// rounding more often than the surface, the others are tried, first `GRADUAL_COARSENING` and one with other weights, then
 /// the others in this order, until one does better than that or, when there is a map, until they have cost too much, or one
 /// leads to the energy of the best; the best map is delivered. Weights that are those of the options are not tried again.
-/// Gradual coarsening takes an eighth of the vertices at a time away instead of half of them, also where the border is fixed
-/// first.
+/// Gradual coarsening takes an eighth of the vertices at a time away instead of half of them.
 enum class Map_start
 {
   AS_CHOSEN,                             ///< that of the options

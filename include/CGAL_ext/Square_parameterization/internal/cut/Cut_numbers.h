@@ -141,7 +141,7 @@ struct Cut_numbers
   /// no map in the end; more: seconds of search in vain.
   long times_work_without_map = 5;
 
-  /// the same on a surface so small that no copy of `growth_faces` is made. More: surfaces of some hundred faces that have no
+  /// the same on a surface of which no copy of `growth_faces` is made, as it is so small, nearly always. More: surfaces of some hundred faces that have no
   /// map take a second to be refused.
   long times_work_without_map_of_small = 2;
 

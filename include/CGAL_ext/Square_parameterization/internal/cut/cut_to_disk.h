@@ -25,10 +25,10 @@ namespace internal {
 std::vector<Decided_cut> cuts_to_disk(const Triangle_surface& surface, const std::vector<std::array<int, 2>>& seams,
                                       const Seam_options& options, Cut_report& report);
 
-/// the cut to be tried where those of `cuts_to_disk()` leave no disk that has a map: the shortest, which may well be worse but is found
-/// on the surface itself. None when nothing was decided, or it is one of these.
+/// the cut to be tried where the best ones of `cuts_to_disk()` leave no disk that has a good map: the shortest, which is found on the
+/// surface itself. None when it is one of these.
 std::optional<Decided_cut> cut_instead(const Triangle_surface& surface, const std::vector<Decided_cut>& decided,
-                                       const std::vector<std::array<int, 2>>& seams, const Seam_options& options);
+                                       unsigned int number_of_threads);
 
 /// reports the cut that is taken
 void report_cut(const Triangle_surface& surface, const Decided_cut& taken, Cut_report& report);

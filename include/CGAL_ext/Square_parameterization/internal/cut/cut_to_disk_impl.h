@@ -111,16 +111,10 @@ CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> cuts_to_disk(const Triangle_su
   return {{shortest_cut(surface, team)}};
 }
 
-CGAL_EXT_INLINE_FUNCTION std::optional<Decided_cut> cut_instead(const Triangle_surface& surface,
-                                                                const std::vector<Decided_cut>& decided,
-                                                                const std::vector<std::array<int, 2>>& seams,
-                                                                const Seam_options& options)
+CGAL_EXT_INLINE_FUNCTION std::optional<Decided_cut>
+cut_instead(const Triangle_surface& surface, const std::vector<Decided_cut>& decided, unsigned int number_of_threads)
 {
-  const bool is_decided =
-      seams.empty() && options.mode == Cut_mode::BEST && !(surface.is_disk() && !options.may_cut_disk());
-  if(!is_decided)
-    return std::nullopt;
-  Thread_team team(options.number_of_threads);
+  Thread_team team(number_of_threads);
   Cut shortest = shortest_cut(surface, team);
   const auto is_shortest = [&](const Decided_cut& cut) { return cut.cut.edges() == shortest.edges(); };
   if(std::any_of(decided.begin(), decided.end(), is_shortest))

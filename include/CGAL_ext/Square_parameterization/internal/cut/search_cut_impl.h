@@ -314,7 +314,7 @@ private:
   Thread_team& m_team;
   Cut_report& m_report;
   Cut_history m_history;
-  bool m_grows_on_surface = false; // which is so small that there is no copy to grow on
+  bool m_grows_on_surface = false; // there is no copy to grow on: the surface is small, nearly always
 };
 
 CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> search_cut(const Triangle_surface& surface,

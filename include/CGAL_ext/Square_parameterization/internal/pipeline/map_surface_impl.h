@@ -157,6 +157,20 @@ inline double seconds_since(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// adds the seconds of its scope to a sum, also where that is left by an exception
+class Scope_timer
+{
+public:
+  explicit Scope_timer(double& sum) : m_sum(sum) {}
+  Scope_timer(const Scope_timer&) = delete;
+  Scope_timer& operator=(const Scope_timer&) = delete;
+  ~Scope_timer() { m_sum += seconds_since(m_start); }
+
+private:
+  double& m_sum;
+  const Clock::time_point m_start = Clock::now();
+};
+
 /// opens the cut, and maps the disk
 /// \param points of the vertices of the mesh
 /// \param report its times are added to, the rest is of this disk, as far as it has come when `Unmappable` is thrown
@@ -178,21 +192,27 @@ inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3
   const auto minimizer = make_minimizer(patch, settings.minimization, settings.search_options.deadline);
   report.condition_seconds += seconds_since(condition_start);
 
-  const auto search_start = Clock::now();
+  const Scope_timer timer(report.search_seconds);
   Search_outcome outcome = map_patch(patch, *minimizer, corners, settings, report);
-  report.search_seconds += seconds_since(search_start);
   return {std::move(patch), std::move(disk.edits), std::move(outcome)};
 }
 
-/// indicates whether more than one cut may be mapped: not where the corners are chosen, or searched in another way than by a few
-/// maps, for all processes that share a search must have one disk
-inline bool may_map_again(const Chosen_elements& chosen, const Square_map_settings& settings)
+/// indicates whether the maps of several cuts may be compared: not where the corners are chosen, or searched in another way
+/// than by a few maps, for all processes that share a search must have one disk
+inline bool may_compare_cuts(const Chosen_elements& chosen, const Square_map_settings& settings)
 {
   return !chosen.corners && settings.search.is_of_type<Bracketing_corner_search>() &&
          std::holds_alternative<Balanced_minimization>(settings.minimization);
 }
 
-/// maps the disks that cuts leave, and keeps the best: with the lowest L2 stretch plus weighted length of the cut
+/// indicates whether the shortest cut is tried where those that were decided on leave no good map. \pre a surface that is cut
+inline bool may_try_shortest_cut(const Chosen_elements& chosen, const Square_map_settings& settings)
+{
+  return settings.tries_other_starts && settings.cut.mode == Cut_mode::BEST && chosen.seams.empty();
+}
+
+/// maps the disks that cuts leave, and keeps the best: with the lowest L2 stretch, of the faces as they are, plus weighted
+/// length of the cut
 class Best_disk
 {
 public:
@@ -218,8 +238,8 @@ public:
 
   bool has_map() const { return m_best.has_value(); }
 
-  /// indicates whether there is no map, or one that only another cut can make better
-  bool is_lost() const { return !m_best || is_poor(m_best->outcome, Minimizer_numbers::LOST_RESULT); }
+  /// indicates whether there is no map, or one that only another cut can make much better
+  bool is_hopeless() const { return !m_best || is_poor(m_best->outcome, Minimizer_numbers::HOPELESS_RESULT); }
 
   /// the best disk. Throws `Unmappable` when there is none.
   /// \param report that of the last one; it becomes that of the best, with the times of all
@@ -227,6 +247,7 @@ public:
   {
     if(!m_best)
       std::rethrow_exception(m_failure);
+    m_report.cut_seconds = report.cut_seconds;
     m_report.condition_seconds = report.condition_seconds;
     m_report.search_seconds = report.search_seconds;
     m_report.search.is_cancelled = report.search.is_cancelled;
@@ -237,7 +258,10 @@ public:
 private:
   double score(const Mapped_disk& disk, const Square_map_report& of_disk) const
   {
-    return disk.outcome.map.report.l2 + m_settings.cut.cut_weight * of_disk.cut.cut_length;
+    const Minimized_map& map = disk.outcome.map;
+    const double l2 =
+        measure(shapes_as_given(disk.patch), disk.patch.triangles, map.uv, scale_to_rectangle(map.aspect)).l2;
+    return l2 + m_settings.cut.cut_weight * of_disk.cut.cut_length;
   }
 
   const Surface_arrays& m_mesh;
@@ -248,22 +272,27 @@ private:
   std::exception_ptr m_failure;
 };
 
-/// maps the disks that the cuts leave, as far as there is time, and that of the shortest cut where their maps are lost
+/// maps the disks that the cuts leave, and that of the shortest cut where their maps are hopeless, as far as there is time
 /// \param report of the best disk, with the times of all
 inline Mapped_disk map_best_disk(Triangle_surface surface, const Surface_arrays& mesh,
                                  const std::vector<Decided_cut>& cuts, const Chosen_elements& chosen,
                                  const Square_map_settings& settings, Square_map_report& report)
 {
   const auto start = Clock::now();
-  const auto may_go_on = [&] {
-    return !report.search.is_cancelled && has_time_again(start, settings.search_options.deadline);
-  };
+  const Deadline& deadline = settings.search_options.deadline;
+  const bool is_large = surface.number_of_faces() > Cut_numbers().largest_mapped_twice;
   Best_disk best(mesh, chosen, settings);
-  for(std::size_t i = 0; i < cuts.size() && (i == 0 || !best.has_map() || may_go_on()); ++i)
+  const auto may_go_on = [&] {
+    return !report.search.is_cancelled && (best.has_map() ? has_time_again(start, deadline) : !has_passed(deadline));
+  };
+  for(std::size_t i = 0; i < cuts.size() && (i == 0 || may_go_on()); ++i)
     best.map(i + 1 < cuts.size() ? surface : std::move(surface), cuts[i], report);
-  if(settings.tries_other_starts && best.is_lost() && may_go_on()) {
+  if(may_try_shortest_cut(chosen, settings) && best.is_hopeless() && !(is_large && best.has_map()) && may_go_on()) {
+    std::optional<Scope_timer> timer(report.cut_seconds);
     Triangle_surface again = make_checked_surface(mesh);
-    if(const auto other = cut_instead(again, cuts, chosen.seams, seam_options(settings))) {
+    const std::optional<Decided_cut> other = cut_instead(again, cuts, settings.search_options.number_of_threads);
+    timer.reset();
+    if(other && may_go_on()) {
       report.cut.is_replaced = true;
       best.map(std::move(again), *other, report);
     }
@@ -290,12 +319,13 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
   const bool is_cut =
       std::any_of(cuts.begin(), cuts.end(), [](const Decided_cut& c) { return !c.cut.edges().empty(); });
   const Square_map_settings of_maps = settings.seam_grid && is_cut ? with_time_for_seams(settings) : settings;
-  if(!is_cut)
+  const bool may_map_again =
+      is_cut && may_compare_cuts(chosen, settings) && (cuts.size() > 1 || may_try_shortest_cut(chosen, settings));
+  if(!may_map_again)
     mesh.triangles = std::vector<std::array<int, 3>>(); // from here on each has its memory as long as it is needed
-  Mapped_disk disk =
-      is_cut && may_map_again(chosen, settings)
-          ? map_best_disk(std::move(surface), mesh, cuts, chosen, of_maps, report)
-          : map_disk(std::move(surface), std::move(mesh.points), cuts.front().cut, chosen, mesh, of_maps, report);
+  Mapped_disk disk = may_map_again ? map_best_disk(std::move(surface), mesh, cuts, chosen, of_maps, report)
+                                   : map_disk(std::move(surface), std::move(mesh.points), cuts.front().cut, chosen,
+                                              mesh, of_maps, report);
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(disk.outcome.map.report);
   if(settings.seam_grid && !disk.edits.copies.empty())

@@ -115,8 +115,8 @@ options(const Square_map_options<TriangleMesh>& options)
 ///
 /// \param mesh the surface: one connected component of triangles. A surface that is not a disk (and one that is, if the
 ///        options say so) is cut in place, as `mark_seams()` marks and `cut_along_seams()` cuts (of two cuts
-///        that all but tie, or where a cut leaves no good map, along the one with the better map); a border of three edges gets a fourth, and chords are
-///        split; else it is not changed. New vertices and faces come last.
+///        that all but tie, or where a cut leaves no good map, along the one with the better map); a border of
+///        three edges gets a fourth, and chords are split; else it is not changed. New vertices and faces come last.
 /// \param uvmap receives the position of every vertex of a face, in [0, 1]^2
 /// \param np optional named parameters among those below
 ///

@@ -350,6 +350,11 @@ struct Minimizer_numbers
   /// sweeps after which one more ring of vertices round these triangles moves: what a ring has no room for needs the next
   static constexpr int REPAIR_SWEEPS_PER_RING = 4;
 
+  /// triangles round a vertex for which to cut its kernel, of up to as many corners, counts for as much as to look at them. Fewer:
+  /// cuts of small surfaces with fans of some dozen triangles are grown less, and these are stretched more; more: double fans of
+  /// thousands that have no map take longer to be refused.
+  static constexpr long TRIANGLES_OF_COSTLY_KERNEL = 150;
+
   /// flat or flipped triangles for each sweep that is left, and for each of so many of all triangles, at most: sweeps over more are
   /// in vain. Of 16000 repairs of random surfaces none of the 14000 that succeed has as many after `REPAIR_SWEEPS_PER_RING`
   /// sweeps. Fewer: maps are given up that can be repaired; more: closed surfaces that have no map take twice as long to be

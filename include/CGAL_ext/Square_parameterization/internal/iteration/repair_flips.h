@@ -65,8 +65,11 @@ public:
   }
 
 private:
-  /// each triangle is looked at, and each of its sides cuts a kernel of up to as many; measured
-  static long work_of_move(long triangles) { return triangles + triangles * triangles / 150; }
+  /// each triangle is looked at, and its side cuts the kernel
+  static long work_of_move(long triangles)
+  {
+    return triangles + triangles * triangles / Minimizer_numbers::TRIANGLES_OF_COSTLY_KERNEL;
+  }
 
   /// indicates whether more triangles are bad than the sweeps that are left may repair; none is before the first ring moves
   bool is_hopeless(int sweep) const

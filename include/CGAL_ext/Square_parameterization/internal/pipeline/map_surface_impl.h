@@ -171,7 +171,13 @@ private:
   const Clock::time_point m_start = Clock::now();
 };
 
-/// opens the cut, and maps the disk
+/// measures the map of the disk, with the faces as they are
+inline Stretch_measures measure_disk(const Patch& patch, const Minimized_map& map)
+{
+  return measure(shapes_as_given(patch), patch.triangles, map.uv, scale_to_rectangle(map.aspect));
+}
+
+/// opens the cut, maps the disk and measures the map
 /// \param points of the vertices of the mesh
 /// \param report its times are added to, the rest is of this disk, as far as it has come when `Unmappable` is thrown
 inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3d> points, const Cut& cut,
@@ -192,8 +198,12 @@ inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3
   const auto minimizer = make_minimizer(patch, settings.minimization, settings.search_options.deadline);
   report.condition_seconds += seconds_since(condition_start);
 
-  const Scope_timer timer(report.search_seconds);
-  Search_outcome outcome = map_patch(patch, *minimizer, corners, settings, report);
+  const auto search = [&] {
+    const Scope_timer timer(report.search_seconds);
+    return map_patch(patch, *minimizer, corners, settings, report);
+  };
+  Search_outcome outcome = search();
+  report.measures = measure_disk(patch, outcome.map);
   return {std::move(patch), std::move(disk.edits), std::move(outcome)};
 }
 
@@ -227,7 +237,7 @@ public:
     report_cut(surface, cut, report.cut);
     try {
       Mapped_disk next = map_disk(std::move(surface), m_mesh.points, cut.cut, m_chosen, m_mesh, m_settings, report);
-      if(!m_best || score(next, report) < score(*m_best, m_report)) {
+      if(!m_best || score(report) < score(m_report)) {
         m_best.emplace(std::move(next));
         m_report = report;
       }
@@ -256,12 +266,9 @@ public:
   }
 
 private:
-  double score(const Mapped_disk& disk, const Square_map_report& of_disk) const
+  double score(const Square_map_report& of_disk) const
   {
-    const Minimized_map& map = disk.outcome.map;
-    const double l2 =
-        measure(shapes_as_given(disk.patch), disk.patch.triangles, map.uv, scale_to_rectangle(map.aspect)).l2;
-    return l2 + m_settings.cut.cut_weight * of_disk.cut.cut_length;
+    return of_disk.measures.l2 + m_settings.cut.cut_weight * of_disk.cut.cut_length;
   }
 
   const Surface_arrays& m_mesh;
@@ -288,13 +295,13 @@ inline Mapped_disk map_best_disk(Triangle_surface surface, const Surface_arrays&
   for(std::size_t i = 0; i < cuts.size() && (i == 0 || may_go_on()); ++i)
     best.map(i + 1 < cuts.size() ? surface : std::move(surface), cuts[i], report);
   if(may_try_shortest_cut(chosen, settings) && best.is_hopeless() && !(is_large && best.has_map()) && may_go_on()) {
-    std::optional<Scope_timer> timer(report.cut_seconds);
-    Triangle_surface again = make_checked_surface(mesh);
-    const std::optional<Decided_cut> other = cut_instead(again, cuts, settings.search_options.number_of_threads);
-    timer.reset();
+    const auto cut_start = Clock::now();
+    surface = make_checked_surface(mesh);
+    const std::optional<Decided_cut> other = cut_instead(surface, cuts, settings.search_options.number_of_threads);
+    report.cut_seconds += seconds_since(cut_start);
     if(other && may_go_on()) {
       report.cut.is_replaced = true;
-      best.map(std::move(again), *other, report);
+      best.map(std::move(surface), *other, report);
     }
   }
   return best.take(report);
@@ -328,11 +335,11 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
                                               mesh, of_maps, report);
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(disk.outcome.map.report);
-  if(settings.seam_grid && !disk.edits.copies.empty())
+  if(settings.seam_grid && !disk.edits.copies.empty()) {
     share_seam_samples(disk.patch, originals_in_disk(disk.edits, surface_vertices, disk.patch.number_of_vertices()),
                        settings, disk.outcome, report);
-  report.measures = measure(shapes_as_given(disk.patch), disk.patch.triangles, disk.outcome.map.uv,
-                            scale_to_rectangle(disk.outcome.map.aspect));
+    report.measures = measure_disk(disk.patch, disk.outcome.map);
+  }
   report.aspect = disk.outcome.map.aspect;
   Mapped_surface result{std::move(disk.edits), std::move(disk.patch.triangles), std::move(disk.outcome.map.uv), {}};
   for(int k = 0; k < 4; ++k)

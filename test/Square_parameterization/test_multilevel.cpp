@@ -160,6 +160,30 @@ TEST_CASE("the kernel of a polygon")
 }
 
 TEST_CASE(
+    "a line that cuts off a part of a convex polygon adds one corner at most, however rounding has moved the others")
+{
+  // points on one line, to which a degenerate map goes again and again, and three others: the ring of a vertex of a double
+  // fan, where the number of corners doubled with every few sides until there were millions
+  const std::vector<Eigen::RowVector2d> points{
+      {0.57794526173655336, 0.370927796224507},   {0.56120360960505522, 0.33383501660205622},
+      {0.56353927891859712, 0.33900992206763619}, {0.5604948695080969, 0.33226473309481463},
+      {0.54978884678812467, 0.30854448504129439}, {0.55054983097592014, 0.31023052047867855},
+      {0.57116352726326758, 0.35590219538776008}, {1, 0},
+      {0.84224152402194952, 0.60291366022255466}, {0.33328924354761813, 0.55145108479321547}};
+  const std::vector<int> ring{0, 1, 2, 3, 4, 5, 0, 6, 4, 5, 0, 1, 2, 3, 5, 0, 1, 2, 1, 2, 3, 5, 0, 1,
+                              2, 3, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 5, 2, 3, 5, 0, 1, 2, 3, 7, 8, 9};
+  Eigen::AlignedBox2d box;
+  for(const Eigen::RowVector2d& p : points)
+    box.extend(p.transpose());
+  Convex_polygon polygon(box);
+  for(std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t before = polygon.corners().size();
+    polygon.cut_off(points[ring[i]], points[ring[(i + 1) % ring.size()]]);
+    CHECK(polygon.corners().size() <= before + 1);
+  }
+}
+
+TEST_CASE(
     "a patch of which all vertices are near the border is factored however large it is, another only while it is small")
 {
   const auto flat_grid = [](int columns, int rows) {

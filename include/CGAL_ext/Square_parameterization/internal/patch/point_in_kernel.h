@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -22,6 +23,64 @@ inline double twice_area(const Eigen::RowVector2d& p, const Eigen::RowVector2d& 
   return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
 }
 
+/// a convex polygon of which lines cut off parts, as far as rounding lets it be convex
+class Convex_polygon
+{
+public:
+  explicit Convex_polygon(const Eigen::AlignedBox2d& box)
+  {
+    const Eigen::Vector2d low = box.min(), high = box.max();
+    for(const auto& [u, v] : {std::pair(low.x(), low.y()), std::pair(high.x(), low.y()), std::pair(high.x(), high.y()),
+                              std::pair(low.x(), high.y())})
+      m_corners.emplace_back(u, v);
+  }
+
+  /// counter-clockwise
+  const std::vector<Eigen::RowVector2d>& corners() const { return m_corners; }
+
+  /// cuts off what is right of the line from `a` to `b`. Adds one corner at most.
+  void cut_off(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b)
+  {
+    m_areas.clear();
+    for(const Eigen::RowVector2d& p : m_corners)
+      m_areas.push_back(twice_area(a, b, p));
+    const auto farthest = std::min_element(m_areas.begin(), m_areas.end());
+    if(farthest == m_areas.end() || *farthest >= 0)
+      return;
+    ignore_rounding(static_cast<std::size_t>(farthest - m_areas.begin()));
+    m_rest.clear();
+    for(std::size_t i = 0; i < m_corners.size(); ++i) {
+      const std::size_t next = after(i);
+      const double at_p = m_areas[i], at_q = m_areas[next];
+      if(at_p >= 0)
+        m_rest.push_back(m_corners[i]);
+      if((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
+        m_rest.push_back(m_corners[i] + at_p / (at_p - at_q) * (m_corners[next] - m_corners[i]));
+    }
+    m_corners.swap(m_rest);
+  }
+
+private:
+  std::size_t after(std::size_t i) const { return i + 1 == m_corners.size() ? 0 : i + 1; }
+  std::size_t before(std::size_t i) const { return (i == 0 ? m_corners.size() : i) - 1; }
+
+  /// of the corners right of the line only those in a row around the farthest are cut off; others are there by rounding, and
+  /// count as on the line. If each were cut off, corners that are all but on the line could double their number.
+  void ignore_rounding(std::size_t farthest)
+  {
+    std::size_t first = after(farthest), last = before(farthest); // of those that stay
+    while(m_areas[first] < 0 && first != farthest)
+      first = after(first);
+    while(m_areas[last] < 0 && last != farthest)
+      last = before(last);
+    for(std::size_t i = first; i != farthest && i != after(last); i = after(i))
+      m_areas[i] = (std::max)(m_areas[i], 0.);
+  }
+
+  std::vector<Eigen::RowVector2d> m_corners, m_rest;
+  std::vector<double> m_areas; // twice those of the triangles of the line and each corner
+};
+
 /// a point well inside the kernel of a counter-clockwise polygon, the set of points that see all of it; none when the
 /// kernel is lost in rounding
 inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen::RowVector2d>& polygon)
@@ -29,34 +88,15 @@ inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen
   Eigen::AlignedBox2d box;
   for(const Eigen::RowVector2d& p : polygon)
     box.extend(p.transpose());
-  const Eigen::Vector2d low = box.min(), high = box.max();
-  std::vector<Eigen::RowVector2d> kernel{Eigen::RowVector2d(low.x(), low.y()), Eigen::RowVector2d(high.x(), low.y()),
-                                         Eigen::RowVector2d(high.x(), high.y()), Eigen::RowVector2d(low.x(), high.y())};
-  std::vector<Eigen::RowVector2d> rest;
-  std::vector<double> areas;                        // of side i and each corner of the kernel
-  for(std::size_t i = 0; i < polygon.size(); ++i) { // cuts off what is right of side i
-    const Eigen::RowVector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    areas.clear();
-    for(const Eigen::RowVector2d& p : kernel)
-      areas.push_back(twice_area(a, b, p));
-    if(std::all_of(areas.begin(), areas.end(), [](double area) { return area >= 0; }))
-      continue;
-    rest.clear();
-    for(std::size_t j = 0; j < kernel.size(); ++j) {
-      const std::size_t next = (j + 1) % kernel.size();
-      const double at_p = areas[j], at_q = areas[next];
-      if(at_p >= 0)
-        rest.push_back(kernel[j]);
-      if((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
-        rest.push_back(kernel[j] + at_p / (at_p - at_q) * (kernel[next] - kernel[j]));
-    }
-    kernel.swap(rest);
-    if(kernel.size() < 3)
+  Convex_polygon kernel(box);
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    kernel.cut_off(polygon[i], polygon[(i + 1) % polygon.size()]);
+    if(kernel.corners().size() < 3)
       return {};
   }
   Eigen::RowVector2d center(0, 0);
-  for(const Eigen::RowVector2d& p : kernel)
-    center += p / static_cast<double>(kernel.size());
+  for(const Eigen::RowVector2d& p : kernel.corners())
+    center += p / static_cast<double>(kernel.corners().size());
   return center;
 }
 

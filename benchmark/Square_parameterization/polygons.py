@@ -3,8 +3,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What points inside large polygons save: each polygon is mapped by `square_map --triangulate` on one core as it is, when it is split
 with points inside, and with its first and third corner exchanged, when it meets itself and is split between its corners alone.
+With --height prisms on the polygons are mapped instead, whose lids they are: closed surfaces as of gears.
 
     polygons.py --corners 2000
+    polygons.py --corners 2500 --height 1
 """
 import math
 import pathlib
@@ -41,23 +43,38 @@ def polygons(corners):
     return result
 
 
+def flat(points):
+    """points and faces of a polygon"""
+    return [(*corner, 0) for corner in points], [range(len(points))]
+
+
+def prism(points, height):
+    """the same of a prism"""
+    n = len(points)
+    sides = [[i, (i + 1) % n, n + (i + 1) % n, n + i] for i in range(n)]
+    return [(*corner, z) for z in [0, height] for corner in points], [range(n - 1, -1, -1), range(n, 2 * n), *sides]
+
+
 def main():
     parser = measured_jobs.parser(__doc__)
     parser.add_argument('--corners', type=int, default=2000, help='about; default 2000')
+    parser.add_argument('--height', type=float, help='of prisms on the polygons')
     arguments = parser.parse_args()
     programs = measured_jobs.Programs(arguments)
     path = pathlib.Path(programs.folder.name) / 'polygon.off'
     rows = []
     for name, points in polygons(arguments.corners).items():
         row = [name]
-        for corners in [points[2::-1] + points[3:], points]:
-            measured_jobs.write_off(path, [(*corner, 0) for corner in corners], [range(len(corners))])
+        shapes = [prism(points, arguments.height)] if arguments.height else [flat(points[2::-1] + points[3:]), flat(points)]
+        for shape in shapes:
+            measured_jobs.write_off(path, *shape)
             job = programs.job(path, 1, '--triangulate')
             row += [job['faces'], '%.3f' % job['l2'], job['seconds']]
         rows.append(row)
-    print('Polygons of %d corners on one core, %s\n' % (arguments.corners, measured_jobs.processor()))
-    columns = ['polygon', *('%s %s' % (column, kind) for kind in ['between corners', 'with points']
-                            for column in ['faces', 'L2', 'seconds'])]
+    kind = 'Prisms of height %g on polygons' % arguments.height if arguments.height else 'Polygons'
+    print('%s of %d corners on one core, %s\n' % (kind, arguments.corners, measured_jobs.processor()))
+    splits = ['with points'] if arguments.height else ['between corners', 'with points']
+    columns = ['polygon', *('%s %s' % (column, split) for split in splits for column in ['faces', 'L2', 'seconds'])]
     measured_jobs.print_table(columns, rows, arguments.csv)
 
 

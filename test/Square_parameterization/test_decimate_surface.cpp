@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 using namespace CGAL_ext;
 using namespace CGAL_ext::internal;
@@ -24,23 +25,6 @@ using namespace CGAL_ext::internal;
 namespace {
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-
-/// two lids of n triangles each on one regular polygon of radius 1, at heights +1 and -1: closed; or only the upper one
-Closed_mesh lids(int n, bool is_closed = true)
-{
-  Closed_mesh mesh;
-  for(int i = 0; i < n; ++i)
-    mesh.points.emplace_back(std::cos(2 * PI * i / n), std::sin(2 * PI * i / n), 0);
-  mesh.points.emplace_back(0, 0, 1);
-  if(is_closed)
-    mesh.points.emplace_back(0, 0, -1);
-  for(int i = 0; i < n; ++i) {
-    mesh.triangles.push_back({i, (i + 1) % n, n});
-    if(is_closed)
-      mesh.triangles.push_back({(i + 1) % n, i, n + 1});
-  }
-  return mesh;
-}
 
 Mesh halfedge_mesh(const Closed_mesh& surface)
 {
@@ -97,6 +81,18 @@ TEST_CASE("a closed surface of two wide fans is simplified")
     CHECK(copy->border_loops.empty());
     CHECK(copy->genus() == 0);
   }
+}
+
+TEST_CASE("of a flat disk on thousands of corners no vertex of a copy has very many neighbors")
+{
+  const Triangle_surface surface = surface_of(coin(1000, 0.01));
+  const auto copy = decimate_surface(surface, 2 * surface.number_of_faces() / 5);
+  REQUIRE(copy);
+  std::vector<int> neighbors(copy->points.size(), 0);
+  for(const auto& edge : copy->edges)
+    for(int v : edge)
+      ++neighbors[v];
+  CHECK(*std::max_element(neighbors.begin(), neighbors.end()) <= 130);
 }
 
 TEST_CASE("a surface is coarsened to some of its vertices: border and topology stay, for any number of threads")

@@ -79,6 +79,46 @@ inline Closed_mesh ellipsoid(int levels, double height = 1)
   return mesh;
 }
 
+/// two lids of n triangles each on one regular polygon of radius 1, at heights +1 and -1: closed; or only the upper one
+inline Closed_mesh lids(int n, bool is_closed = true)
+{
+  Closed_mesh mesh;
+  for(int i = 0; i < n; ++i)
+    mesh.points.emplace_back(std::cos(2 * PI * i / n), std::sin(2 * PI * i / n), 0);
+  mesh.points.emplace_back(0, 0, 1);
+  if(is_closed)
+    mesh.points.emplace_back(0, 0, -1);
+  for(int i = 0; i < n; ++i) {
+    mesh.triangles.push_back({i, (i + 1) % n, n});
+    if(is_closed)
+      mesh.triangles.push_back({(i + 1) % n, i, n + 1});
+  }
+  return mesh;
+}
+
+/// a disk of a given height and radius 1 on a regular polygon of n corners, whose lids are split into strips, without
+/// vertices inside
+inline Closed_mesh coin(int n, double height)
+{
+  Closed_mesh mesh;
+  for(double z : {0., height})
+    for(int i = 0; i < n; ++i)
+      mesh.points.emplace_back(std::cos(2 * PI * i / n), std::sin(2 * PI * i / n), z);
+  for(int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    mesh.triangles.push_back({i, next, n + next});
+    mesh.triangles.push_back({i, n + next, n + i});
+  }
+  for(int low = 0, high = n - 1; high - low > 1;) {
+    const bool is_low = low + high < n;
+    const int third = is_low ? low + 1 : high - 1;
+    mesh.triangles.push_back({n + low, n + third, n + high});
+    mesh.triangles.push_back({low, high, third});
+    (is_low ? low : high) = third;
+  }
+  return mesh;
+}
+
 /// a torus of m x n quadrilaterals, each cut in two, with radii 2 and 1
 inline Closed_mesh torus(int m, int n)
 {

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/low_degree_collapses.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/thin_fans.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -63,6 +64,9 @@ CGAL_EXT_INLINE_FUNCTION std::optional<Triangle_surface> decimate_surface(const 
   typedef CGAL::Simple_cartesian<double> Kernel;
   typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
   constexpr std::size_t MOST_TRIANGLES_OF_VERTEX = 64;
+  constexpr int MOST_NEIGHBORS_OF_EDGE = 130; // fewer: parts with flat faces get another copy, and cut
+  const Placement_of_low_degree placement(SMS::LindstromTurk_placement<Mesh>(), MOST_NEIGHBORS_OF_EDGE);
+  const Cost_of_placement cost{SMS::LindstromTurk_cost<Mesh>()};
   Mesh mesh;
   for(const Eigen::Vector3d& p : surface.points)
     mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
@@ -71,11 +75,9 @@ CGAL_EXT_INLINE_FUNCTION std::optional<Triangle_surface> decimate_surface(const 
       return std::nullopt;
   thin_fans(mesh, MOST_TRIANGLES_OF_VERTEX, deadline);
   if(!has_passed(deadline)) // else even the costs of the edges are not computed
-    SMS::edge_collapse(mesh,
-                       Edge_count_or_deadline_stop_predicate<Mesh>(3 * static_cast<std::size_t>(faces) / 2, deadline),
-                       CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
-                           .get_placement(SMS::LindstromTurk_placement<Mesh>())
-                           .filter(SMS::Bounded_normal_change_filter<>()));
+    SMS::edge_collapse(
+        mesh, Edge_count_or_deadline_stop_predicate<Mesh>(3 * static_cast<std::size_t>(faces) / 2, deadline),
+        CGAL::parameters::get_cost(cost).get_placement(placement).filter(SMS::Bounded_normal_change_filter<>()));
   if(has_passed(deadline))
     return std::nullopt;
   mesh.collect_garbage();

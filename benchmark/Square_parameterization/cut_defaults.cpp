@@ -89,6 +89,7 @@ const std::vector<Variation> variations{
     {"little_growth_work", &Cut_numbers::little_growth_work, 10000, 100000},
     {"many_loops", &Cut_numbers::many_loops, 2, 1000},
     {"move_rounds", &Cut_numbers::move_rounds, 0, 4},
+    {"most_neighbors", &Cut_numbers::most_neighbors, 6, 24},
     {"selected", &Cut_numbers::selected, 3, 30},
     {"far", &Cut_numbers::far, 0.01, 0.2},
     {"directions", &Cut_numbers::directions, 1, 8},

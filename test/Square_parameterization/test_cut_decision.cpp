@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/refine_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
@@ -489,6 +490,24 @@ TEST_CASE("cuts to begin with are scored as long as there is work left, and the 
   const long some = work_of(cuts.size(), (all + work_of(1, 0)) / 2);
   CHECK(work_of(1, 0) < some);
   CHECK(some < all);
+}
+
+TEST_CASE("a terminal with very many neighbors is moved to few of them")
+{
+  const Triangle_surface surface = surface_of(lids(100));
+  Thread_team team(2);
+  Cut_progress progress(nullptr);
+  const auto work_of_growth = [&](int most_neighbors) {
+    Cut_score_options scoring;
+    scoring.numbers.most_neighbors = most_neighbors;
+    Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
+    pool.start(rerouted_initial_cuts(surface, scoring.numbers, team), 0);
+    Cut_report report;
+    Cut_history history(0.05, report);
+    Cut_growth(pool, 0.05, 10000 * surface.number_of_vertices(), history)();
+    return pool.work();
+  };
+  CHECK(2 * work_of_growth(Cut_numbers().most_neighbors) < work_of_growth(1000));
 }
 
 TEST_CASE("where no cut has a map, small steps of coarsening are tried for the first one alone")

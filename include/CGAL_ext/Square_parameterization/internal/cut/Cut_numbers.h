@@ -163,6 +163,10 @@ struct Cut_numbers
   /// times that every terminal is tried elsewhere at the end of a growth, unless none moved the time before
   int move_rounds = 2;
 
+  /// neighbors of a terminal where it is tried then, at most. More: a terminal on the apex of a large fan costs hundreds of
+  /// maps.
+  int most_neighbors = 12;
+
   // --- selection, and refinement ---
 
   /// good cuts of different lengths that are carried over to a finer copy

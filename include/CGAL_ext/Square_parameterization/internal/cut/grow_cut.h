@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/candidate_terminals.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -111,8 +112,8 @@ private:
         Cut shorter = best.cut;
         free_cut(m_surface, terminal, shorter);
         std::vector<int> places = candidate_terminals(m_surface, shorter, m_numbers);
-        for(int e : m_surface.vertex_edges[terminal])
-          places.push_back(m_surface.other_end(e, terminal));
+        for(int neighbor : some_neighbors(terminal))
+          places.push_back(neighbor);
         const auto moved = extensions(shorter, places, Cut_step::MOVED);
         const auto found = std::min_element(moved.begin(), moved.end(), m_is_better);
         if(found == moved.end() || !m_is_better(*found, best))
@@ -122,6 +123,18 @@ private:
         is_changed = true;
       }
     }
+  }
+
+  /// the neighbors of a vertex; of one with very many only some, evenly spread
+  std::vector<int> some_neighbors(int v) const
+  {
+    const auto edges = m_surface.vertex_edges[v];
+    const std::ptrdiff_t degree = edges.end() - edges.begin(),
+                         count = (std::min)(degree, std::ptrdiff_t(m_numbers.most_neighbors));
+    std::vector<int> neighbors;
+    for(std::ptrdiff_t i = 0; i < count; ++i)
+      neighbors.push_back(m_surface.other_end(edges.begin()[i * degree / count], v));
+    return neighbors;
   }
 
   Cut_pool& m_pool;

@@ -60,20 +60,23 @@ def main():
     parser.add_argument('--corners', type=int, default=2000, help='about; default 2000')
     parser.add_argument('--height', type=float, help='of prisms on the polygons')
     arguments = parser.parse_args()
+    has_height = arguments.height is not None
+    if has_height and not arguments.height > 0:
+        parser.error('a height is positive')
     programs = measured_jobs.Programs(arguments)
     path = pathlib.Path(programs.folder.name) / 'polygon.off'
     rows = []
     for name, points in polygons(arguments.corners).items():
         row = [name]
-        shapes = [prism(points, arguments.height)] if arguments.height else [flat(points[2::-1] + points[3:]), flat(points)]
+        shapes = [prism(points, arguments.height)] if has_height else [flat(points[2::-1] + points[3:]), flat(points)]
         for shape in shapes:
             measured_jobs.write_off(path, *shape)
             job = programs.job(path, 1, '--triangulate')
             row += [job['faces'], '%.3f' % job['l2'], job['seconds']]
         rows.append(row)
-    kind = 'Prisms of height %g on polygons' % arguments.height if arguments.height else 'Polygons'
+    kind = 'Prisms of height %g on polygons' % arguments.height if has_height else 'Polygons'
     print('%s of %d corners on one core, %s\n' % (kind, arguments.corners, measured_jobs.processor()))
-    splits = ['with points'] if arguments.height else ['between corners', 'with points']
+    splits = ['with points'] if has_height else ['between corners', 'with points']
     columns = ['polygon', *('%s %s' % (column, split) for split in splits for column in ['faces', 'L2', 'seconds'])]
     measured_jobs.print_table(columns, rows, arguments.csv)
 

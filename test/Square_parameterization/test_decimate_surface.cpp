@@ -83,7 +83,7 @@ TEST_CASE("a closed surface of two wide fans is simplified")
   }
 }
 
-TEST_CASE("of a flat disk on thousands of corners no vertex of a copy has very many neighbors")
+TEST_CASE("of a flat disk on a thousand corners no vertex of a copy has very many neighbors")
 {
   const Triangle_surface surface = surface_of(coin(1000, 0.01));
   const auto copy = decimate_surface(surface, 2 * surface.number_of_faces() / 5);

@@ -125,7 +125,7 @@ private:
     }
   }
 
-  /// the neighbors of a vertex; of one with very many only some, evenly spread
+  /// the neighbors of a vertex; of one with many only some, at equal steps in the order of its edges
   std::vector<int> some_neighbors(int v) const
   {
     const auto edges = m_surface.vertex_edges[v];

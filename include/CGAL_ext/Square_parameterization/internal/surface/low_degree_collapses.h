@@ -12,7 +12,7 @@ namespace CGAL_ext {
 namespace internal {
 
 /// where CGAL's simplification puts the vertex that an edge is collapsed to: none for an edge whose ends have more neighbors
-/// together than a number, which is not collapsed then. On a flat lid of thousands of vertices all collapses cost nothing; if
+/// than a number, those of both counted twice, which is not collapsed then unless it has no length. On a flat lid of thousands of vertices all collapses cost nothing; if
 /// one vertex swallowed the others, each collapse would take time with the square of their number.
 /// \tparam Placement a model of `GetPlacement`
 template <class Placement>
@@ -52,7 +52,8 @@ private:
   int m_most_neighbors;
 };
 
-/// what a collapse costs: nothing is computed for one that has no placement
+/// what a collapse costs: nothing is computed for one that has no placement. Not for costs that are told of collapses, such as
+/// those of Garland and Heckbert.
 /// \tparam Cost a model of `GetCost`
 template <class Cost>
 class Cost_of_placement

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <vector>
 
@@ -69,6 +71,40 @@ TEST_CASE("corners move on for a gain of twenty millionths, and do not creep alo
   };
   CHECK(end_at_gain(2e-6) == start);
   CHECK(end_at_gain(2e-5)[0] == 20);
+}
+
+TEST_CASE("corners are moved by small steps where large ones tell of a lower place between, and not where all places "
+          "are alike")
+{
+  struct Result
+  {
+    Corners end;
+    std::size_t evaluations;
+  };
+  // the objectives rise with the square of the distance of one corner from vertex 505 of 4000, by 1e-6 at the next one
+  const Corners start{500, 1500, 2500, 3500};
+  const auto move = [&start](double rise, double rough_rise) {
+    const auto moves_at = [](double of_neighbor) {
+      return Corner_moves(std::vector<double>(4000, 1.),
+                          [of_neighbor](const std::vector<Corners>& choices, const Corner_choice*) {
+                            std::vector<double> objectives;
+                            for(const Corners& corners : choices)
+                              objectives.push_back(1 + of_neighbor * std::pow(corners[0] - 505, 2));
+                            return objectives;
+                          });
+    };
+    Corner_moves fine = moves_at(rise), rough = moves_at(rough_rise);
+    const Corners end = fine.descend_where_likely(start, 128, rough).corners;
+    return Result{end, fine.evaluations()};
+  };
+  for(double rough_rise : {1e-9, 1e-6}) { // by the second one large steps are not likely to lead down, and unknown
+    const Result moved = move(1e-6, rough_rise);
+    CHECK(std::abs(moved.end[0] - 505) <= 3); // where a move gains 9e-6 at most
+  }
+  const Result flat = move(0, 0), all_but_flat = move(1e-9, 1e-9);
+  CHECK(flat.evaluations <= 19); // the start, and each move once
+  CHECK(all_but_flat.evaluations <= 19);
+  CHECK(all_but_flat.end == start);
 }
 
 TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")

@@ -26,8 +26,6 @@ namespace {
 
 typedef std::vector<std::array<int, 2>> Seams;
 
-const Deadline NO_DEADLINE; // a pool of cuts refers to its deadline
-
 struct Decision
 {
   Cut cut;
@@ -482,7 +480,7 @@ TEST_CASE("cuts to begin with are scored as long as there is work left, and the 
   Thread_team team(2);
   Cut_progress progress(nullptr);
   const auto work_of = [&](std::size_t count, long most_work) {
-    Cut_pool pool(surface, scoring, 1e9, team, NO_DEADLINE, progress);
+    Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
     pool.start({cuts.begin(), cuts.begin() + count}, most_work);
     return pool.work();
   };
@@ -502,7 +500,7 @@ TEST_CASE("a terminal with very many neighbors is moved to few of them")
   const auto work_of_growth = [&](int most_neighbors) {
     Cut_score_options scoring;
     scoring.numbers.most_neighbors = most_neighbors;
-    Cut_pool pool(surface, scoring, 1e9, team, NO_DEADLINE, progress);
+    Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
     pool.start(rerouted_initial_cuts(surface, scoring.numbers, team), 0);
     Cut_report report;
     Cut_history history(0.05, report);
@@ -526,7 +524,7 @@ TEST_CASE("where no cut has a map, small steps of coarsening are tried for the f
   REQUIRE(score(1, false).work < score(1, true).work);
   Thread_team team(1);
   Cut_progress progress(nullptr);
-  Cut_pool pool(surface, options, 1e9, team, NO_DEADLINE, progress);
+  Cut_pool pool(surface, options, 1e9, team, {}, progress);
   pool.start(cuts, 1000 * surface.number_of_vertices());
   CHECK(pool.work() == score(0, true).work + score(1, false).work);
 }
@@ -540,7 +538,7 @@ TEST_CASE("a cut is refined unless it leaves too much stretch, or a score costs 
   const auto is_refined = [&](const Cut_numbers& numbers, long most_work) {
     Cut_score_options scoring;
     scoring.numbers = numbers;
-    Cut_pool pool(surface, scoring, 1e9, team, NO_DEADLINE, progress);
+    Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
     pool.start({cut}, 0);
     const long work = pool.work();
     Cut_report report;

@@ -219,7 +219,7 @@ private:
   Cut_score_options m_scoring;
   double m_greatest_length;
   Thread_team& m_team;
-  const Deadline& m_deadline;
+  const Deadline m_deadline;
   Cut_progress& m_progress;
   std::vector<Scored_cut> m_known;                    // in the order in which they came
   std::map<std::vector<int>, std::size_t> m_place_of; // there, per edges of a cut

@@ -29,10 +29,9 @@ class Convex_polygon
 public:
   explicit Convex_polygon(const Eigen::AlignedBox2d& box)
   {
-    const Eigen::Vector2d low = box.min(), high = box.max();
-    for(const auto& [u, v] : {std::pair(low.x(), low.y()), std::pair(high.x(), low.y()), std::pair(high.x(), high.y()),
-                              std::pair(low.x(), high.y())})
-      m_corners.emplace_back(u, v);
+    for(const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
+                             Eigen::AlignedBox2d::TopRight, Eigen::AlignedBox2d::TopLeft})
+      m_corners.push_back(box.corner(corner).transpose());
   }
 
   /// counter-clockwise

@@ -4,6 +4,7 @@
 import argparse
 import csv
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -61,20 +62,34 @@ class Programs:
             return None
         return float(run.stdout) if run.returncode == 0 else None
 
+    def seconds_at_once(self, path, count, *options):
+        """seconds of the clock of so many whole jobs at once, on one thread each: the least of several runs"""
+        best = math.inf
+        for _ in range(self.repeat):
+            start = time.monotonic()
+            jobs = [subprocess.Popen(self.command(path, 1, '%d' % i, *options)) for i in range(count)]
+            if any([job.wait() != 0 for job in jobs]):  # a list: all are waited for
+                sys.exit('%s: square_map failed' % path)
+            best = min(best, time.monotonic() - start)
+        return best
+
+    def command(self, path, threads, name, *options):
+        """a whole job, whose outputs have a name"""
+        folder = pathlib.Path(self.folder.name)
+        return [self.bin / 'square_map', path, '-o', folder / (name + '.obj'), '--json', folder / (name + '.json'),
+                '--quiet', '--threads', str(threads), *options]
+
     def job(self, path, threads, *options):
         """seconds of processors and of the clock, memory and phases of one whole job: the least of several runs"""
         best = None
         for _ in range(self.repeat):
-            report = pathlib.Path(self.folder.name) / 'report.json'
-            command = [self.bin / 'square_map', path, '-o', pathlib.Path(self.folder.name) / 'map.obj', '--json',
-                       report, '--quiet', '--threads', str(threads), *options]
             start = time.monotonic()
-            process = subprocess.Popen(command)
+            process = subprocess.Popen(self.command(path, threads, 'map', *options))
             _, status, usage = os.wait4(process.pid, 0)
             wall = time.monotonic() - start
             if os.waitstatus_to_exitcode(status) != 0:
                 sys.exit('%s: square_map ended with status %d' % (path, os.waitstatus_to_exitcode(status)))
-            result = json.loads(report.read_text())
+            result = json.loads((pathlib.Path(self.folder.name) / 'map.json').read_text())
             job = {'seconds': usage.ru_utime + usage.ru_stime, 'wall': wall, 'kilobytes': usage.ru_maxrss,
                    'faces': result['conditioned']['faces'], 'phases': result['seconds'],
                    'energy': result['best']['energy'], 'l2': result['best']['l2']}

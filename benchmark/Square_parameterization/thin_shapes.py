@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The CGAL_ext authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What thin shapes cost: whole jobs of square_map on one core for strips, a coil and sheets with fins and with nails, beside
+"""What thin shapes cost: whole jobs of square_map on one core for strips, a coil, cones and sheets with fins and with nails, beside
 those for bumps, which are compact, of about as many faces. More faces are mapped than a file has where chords are split, as
 all inner edges of a strip one cell wide are. The last column is the ratio of seconds to the bump that costs least.
 
@@ -45,6 +45,13 @@ def coil(faces, rows, turns):
     return grid(columns, rows, point)
 
 
+def cone(faces, radius_of):
+    """one fan round the apex"""
+    angles = [2 * math.pi * i / faces for i in range(faces)]
+    points = [(radius_of(i) * math.cos(angle), radius_of(i) * math.sin(angle), 0) for i, angle in enumerate(angles)]
+    return points + [(0, 0, 1)], [(i, (i + 1) % faces, faces) for i in range(faces)]
+
+
 def sheet(faces, height_of):
     n = round(math.sqrt(faces / 2))
     return grid(n, n, lambda i, j: (i, j, height_of(i, j)))
@@ -55,6 +62,8 @@ def shapes(faces):
     result = {'bump, height %g' % height: bump(faces, height) for height in [0.3, 0.8, 1.5]}
     result.update({'strip, %d cells wide' % rows: strip(faces, rows) for rows in [1, 2, 5]})
     result['coil, 8 cells wide, 5 turns'] = coil(faces, 8, 5)
+    result['cone'] = cone(faces, lambda i: 1)
+    result['cone with teeth'] = cone(faces, lambda i: 1 if i % 2 else 0.8)
     result['fins'] = sheet(faces, lambda i, j: 12 if i % 8 == 4 and j % 30 > 4 else 0)
     result['nails'] = sheet(faces, lambda i, j: 20 if i % 6 == 3 and j % 6 == 3 else 0)
     return result

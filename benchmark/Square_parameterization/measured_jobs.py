@@ -68,13 +68,14 @@ class Programs:
         for _ in range(self.repeat):
             start = time.monotonic()
             jobs = [subprocess.Popen(self.command(path, 1, '%d' % i, *options)) for i in range(count)]
-            if any([job.wait() != 0 for job in jobs]):  # a list: all are waited for
-                sys.exit('%s: square_map failed' % path)
+            statuses = [job.wait() for job in jobs]
+            if any(statuses):
+                sys.exit('%s: square_map ended with status %d' % (path, max(statuses, key=abs)))
             best = min(best, time.monotonic() - start)
         return best
 
     def command(self, path, threads, name, *options):
-        """a whole job, whose outputs have a name"""
+        """the command line of a whole job; the name is that of its outputs"""
         folder = pathlib.Path(self.folder.name)
         return [self.bin / 'square_map', path, '-o', folder / (name + '.obj'), '--json', folder / (name + '.json'),
                 '--quiet', '--threads', str(threads), *options]

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 using namespace CGAL_ext;
@@ -73,38 +74,42 @@ TEST_CASE("corners move on for a gain of twenty millionths, and do not creep alo
   CHECK(end_at_gain(2e-5)[0] == 20);
 }
 
-TEST_CASE("corners are moved by small steps where large ones tell of a lower place between, and not where all places "
-          "are alike")
+TEST_CASE("corners are moved by small steps where large ones tell of a lower place between, or nothing")
 {
   struct Result
   {
-    Corners end;
+    int first_corner;
     std::size_t evaluations;
   };
-  // the objectives rise with the square of the distance of one corner from vertex 505 of 4000, by 1e-6 at the next one
-  const Corners start{500, 1500, 2500, 3500};
-  const auto move = [&start](double rise, double rough_rise) {
-    const auto moves_at = [](double of_neighbor) {
+  // the lowest place is five vertices from the start
+  const auto move = [](const auto& objective_of, const auto& rougher) {
+    const auto moves_at = [](const auto& of_distance) {
       return Corner_moves(std::vector<double>(4000, 1.),
-                          [of_neighbor](const std::vector<Corners>& choices, const Corner_choice*) {
+                          [of_distance](const std::vector<Corners>& choices, const Corner_choice*) {
                             std::vector<double> objectives;
                             for(const Corners& corners : choices)
-                              objectives.push_back(1 + of_neighbor * std::pow(corners[0] - 505, 2));
+                              objectives.push_back(of_distance(std::abs(corners[0] - 505.)));
                             return objectives;
                           });
     };
-    Corner_moves fine = moves_at(rise), rough = moves_at(rough_rise);
-    const Corners end = fine.descend_where_likely(start, 128, rough).corners;
-    return Result{end, fine.evaluations()};
+    Corner_moves fine = moves_at(objective_of), rough = moves_at(rougher);
+    const Corners end = fine.descend_where_likely({500, 1500, 2500, 3500}, 128, rough).corners;
+    return Result{end[0], fine.evaluations()};
   };
-  for(double rough_rise : {1e-9, 1e-6}) { // by the second one large steps are not likely to lead down, and unknown
-    const Result moved = move(1e-6, rough_rise);
-    CHECK(std::abs(moved.end[0] - 505) <= 3); // where a move gains 9e-6 at most
-  }
-  const Result flat = move(0, 0), all_but_flat = move(1e-9, 1e-9);
-  CHECK(flat.evaluations <= 19); // the start, and each move once
-  CHECK(all_but_flat.evaluations <= 19);
-  CHECK(all_but_flat.end == start);
+  const auto square = [](double factor) {
+    return [factor](double distance) { return 1 + factor * distance * distance; };
+  };
+  const auto nearby = [](double distance) {
+    return distance < 30 ? 1 + 1e-4 * distance * distance : std::numeric_limits<double>::infinity();
+  };
+  // with the second rough objective large steps rise too much, and are not tried
+  CHECK(std::abs(move(square(1e-6), square(1e-9)).first_corner - 505) <= 3); // from there a move gains 9e-6 at most
+  CHECK(std::abs(move(square(1e-6), square(1e-6)).first_corner - 505) <= 3);
+  CHECK(move(nearby, nearby).first_corner == 505);
+
+  const std::size_t once = 1 + Corner_moves::number_of_moves(); // the start, and each move
+  for(double factor : {0., 1e-9, -1e-10})
+    CHECK(move(square(factor), square(factor)).evaluations <= once);
 }
 
 TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")

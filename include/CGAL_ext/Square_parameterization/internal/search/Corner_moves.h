@@ -107,8 +107,8 @@ public:
     return descend(corners, size() / 8, is_square ? LIKELY : ALL);
   }
 
-  /// moves corners downhill, but only where another, rougher objective does not rise much, and with ever smaller steps only as
-  /// long as some move promises a gain: on the border of a round surface none does
+  /// moves corners downhill, but only where another, rougher objective does not rise much; stops once smaller steps promise no
+  /// gain, as on the border of a round surface
   Choice descend_where_likely(const Corners& corners, int first_step, Corner_moves& rough)
   {
     Choice best = compare({corners}).front();
@@ -185,21 +185,23 @@ private:
     return result;
   }
 
-  /// indicates whether shorter moves may lead down: the parabola through three objectives to and fro of some of them has a lowest
-  /// point that is worth a move. An objective that is not known is taken to be as much higher as the rougher one.
-  /// \pre all ways were tried with this step, by the rougher objective at least, and none led down
+  /// indicates whether smaller steps may lead down: for some pair of opposite moves the parabola through the objectives here and
+  /// after either move has a lowest point between them that is worth a move, or nothing is known of them. An objective that is
+  /// not known is taken to be as much higher as the rougher one.
+  /// \pre all moves were tried with this step, by the rougher objective at least, and none led down
   bool promises_gain(const Choice& best, int step, const Corner_moves& rough, const Choice& rough_best) const
   {
     const auto relative_rise = [&](const Move& move) {
       const bool is_known = m_known.count(after(best.corners, move, step)) > 0;
-      return is_known ? rise(best, move, step) / best.objective
-                      : rough.rise(rough_best, move, step) / rough_best.objective;
+      const Choice& from = is_known ? best : rough_best;
+      return (is_known ? *this : rough).rise(from, move, step) / from.objective;
     };
     for(std::size_t i = 0; i < all_moves().size(); i += 2) {
       const double rise_to = relative_rise(all_moves()[i]), rise_fro = relative_rise(all_moves()[i + 1]);
-      const double slope = (rise_to - rise_fro) / 2, curvature = (rise_to + rise_fro) / 2; // rise / step, rise / step^2
-      const bool is_flat = slope * slope <= 4 * curvature * LEAST_GAIN;
-      if(!is_flat) // nor without a map, and so without a rise
+      const double slope = (rise_to - rise_fro) / 2, curvature = (rise_to + rise_fro) / 2; // for one step
+      const bool is_known = curvature < 1; // one of them has a map, and so has the best
+      const bool is_between = std::abs(slope) < 2 * curvature;
+      if(!is_known || (is_between && slope * slope > 4 * curvature * LEAST_GAIN))
         return true;
     }
     return false;

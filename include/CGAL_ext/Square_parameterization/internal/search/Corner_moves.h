@@ -169,14 +169,31 @@ private:
     return moves;
   }
 
+  /// slope x + curvature x^2: what the objective rises by after x steps of a move, if it is a parabola
+  struct Parabola
+  {
+    double slope, curvature;
+
+    /// \param rise_to,rise_fro after one step, and after one step of the opposite move
+    Parabola(double rise_to, double rise_fro) : slope((rise_to - rise_fro) / 2), curvature((rise_to + rise_fro) / 2) {}
+
+    double bottom() const { return -slope / (2 * curvature); }
+
+    /// indicates whether it falls by more than that between the two steps
+    bool falls_between(double fall) const
+    {
+      return std::abs(slope) < 2 * curvature && slope * slope > 4 * curvature * fall;
+    }
+  };
+
   /// those on the side of which the parabola of a way to and fro is lowest, at some distance
   /// \pre all ways were tried with this step, and none led down
   std::vector<Move> moves_to_bottoms(const Choice& best, int step) const
   {
     std::vector<Move> result;
     for(std::size_t i = 0; i < all_moves().size(); i += 2) {
-      const double rise_fro = rise(best, all_moves()[i + 1], step), rise_to = rise(best, all_moves()[i], step);
-      const double bottom = (rise_fro - rise_to) / (2 * (rise_fro + rise_to)); // in steps
+      const double bottom =
+          Parabola(rise(best, all_moves()[i], step), rise(best, all_moves()[i + 1], step)).bottom(); // in steps
       if(bottom >= LEAST_OFFSET)
         result.push_back(all_moves()[i]);
       else if(bottom <= -LEAST_OFFSET)
@@ -197,11 +214,9 @@ private:
       return (is_known ? *this : rough).rise(from, move, step) / from.objective;
     };
     for(std::size_t i = 0; i < all_moves().size(); i += 2) {
-      const double rise_to = relative_rise(all_moves()[i]), rise_fro = relative_rise(all_moves()[i + 1]);
-      const double slope = (rise_to - rise_fro) / 2, curvature = (rise_to + rise_fro) / 2; // for one step
-      const bool is_known = curvature < 1; // one of them has a map, and so has the best
-      const bool is_between = std::abs(slope) < 2 * curvature;
-      if(!is_known || (is_between && slope * slope > 4 * curvature * LEAST_GAIN))
+      const Parabola parabola(relative_rise(all_moves()[i]), relative_rise(all_moves()[i + 1]));
+      const bool is_known = parabola.curvature < 1; // one of them has a map, and so has the best
+      if(!is_known || parabola.falls_between(LEAST_GAIN))
         return true;
     }
     return false;

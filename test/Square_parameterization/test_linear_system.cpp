@@ -88,6 +88,20 @@ TEST_CASE("sparse and dense solutions agree for all weights and any factors")
   }
 }
 
+TEST_CASE("the map is the same in any order of elimination")
+{
+  Patch patch = make_patch_of(noisy_height_field(8));
+  const Edge_weights weights = Mean_value_weights()(patch);
+  const Uv_coordinates border_uv = square_border_of(patch, 0);
+  const std::vector<double> s = random_factors(patch, 1);
+  for(int v = patch.number_of_vertices(); v > 0; --v)
+    patch.elimination_places.push_back(v - 1);
+  REQUIRE(elimination_places_of(patch) == patch.elimination_places);
+  const std::unique_ptr<Linear_solver> solver = make_direct_solver(weights.is_symmetric);
+  CHECK(largest_difference(sparse_map(patch, weights, s, border_uv, *solver),
+                           dense_map(patch, weights, s, border_uv)) < 1e-11);
+}
+
 TEST_CASE("right hand sides alone are those of the equations for factors of one")
 {
   for(const Weight_case& weight_case : all_weights())

@@ -72,6 +72,18 @@ struct Two_levels
 
 } // namespace
 
+TEST_CASE("a patch in the order of its division keeps the places of elimination of its vertices")
+{
+  Patch given = make_patch_of(saddle(30));
+  for(int v = given.number_of_vertices(); v > 0; --v)
+    given.elimination_places.push_back(v - 1);
+  const Patch_division division(given, 100);
+  REQUIRE(division.is_divided());
+  const Patch ordered = in_order_of(division, given);
+  for(int v = 0; v < given.number_of_vertices(); ++v)
+    REQUIRE(ordered.elimination_places[division.rank(v)] == given.elimination_places[v]);
+}
+
 TEST_CASE("the V-cycle is symmetric, positive, and leaves what may not move")
 {
   const Patch patch = make_patch_of(noisy_height_field(20));

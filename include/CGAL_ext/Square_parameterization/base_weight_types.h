@@ -50,6 +50,7 @@ struct Patch
   double least_height = 0;                ///< `DEGENERATE_HEIGHT`, or more where coordinates carry less information
   double widened_height = 0;              ///< the height over its longest side with which a degenerate face counts
   double rounding = 0;                    ///< length below which the points carry no information
+  std::vector<int> elimination_places;    ///< one per vertex, in an order that keeps fill low; or empty
   /// \endcond
 
   /// as many as there are points

@@ -15,6 +15,7 @@
 #include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Stretch_iteration.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/sparse_pattern.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Balanced_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 
@@ -136,7 +137,10 @@ public:
     m_score.length = cut.length(surface) / std::sqrt(surface.area);
     m_score.work = surface.number_of_vertices();
     try {
-      m_patch = std::make_unique<const Patch>(patch_of_cut(surface, cut));
+      Patch patch = patch_of_cut(surface, cut);
+      // serves the start, too, where the border is fixed
+      patch.elimination_places = fill_reducing_order(patch.number_of_vertices(), patch.edges);
+      m_patch = std::make_unique<const Patch>(std::move(patch));
       start();
     } catch(const Unmappable&) { // of this cut nothing is known but that it is not the best
       m_patch.reset();

@@ -96,6 +96,14 @@ private:
   void number_interior_vertices()
   {
     m_row.assign(m_patch.points.size(), -1);
+    if(m_patch.elimination_places.empty())
+      number_in_new_order();
+    else
+      number_in_order(m_patch.elimination_places);
+  }
+
+  void number_in_new_order()
+  {
     int n = 0;
     for(std::size_t v = 0; v < m_row.size(); ++v)
       if(m_border_position[v] < 0)
@@ -108,6 +116,18 @@ private:
     for(int& row : m_row)
       if(row >= 0)
         row = place[row];
+  }
+
+  /// \param places of all vertices
+  void number_in_order(const std::vector<int>& places)
+  {
+    std::vector<int> vertices(places.size());
+    for(std::size_t v = 0; v < places.size(); ++v)
+      vertices[places[v]] = static_cast<int>(v);
+    int n = 0;
+    for(int v : vertices)
+      if(m_border_position[v] < 0)
+        m_row[v] = n++;
   }
 
   void build_pattern()

@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ITERATION_SPARSE_PATTERN_H
 
 #include <CGAL_ext/Square_parameterization/internal/iteration/linear_solvers.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 
 #include <Eigen/OrderingMethods>
 
@@ -39,6 +40,13 @@ inline std::vector<int> fill_reducing_order(int number_of_nodes, const std::vect
   for(int i = 0; i < number_of_nodes; ++i)
     place[last - node_at.indices()[i]] = i;
   return place;
+}
+
+/// the place of each vertex of a patch in its order of elimination, or in a new one where it has none
+inline std::vector<int> elimination_places_of(const Patch& patch)
+{
+  return patch.elimination_places.empty() ? fill_reducing_order(patch.number_of_vertices(), patch.edges)
+                                          : patch.elimination_places;
 }
 
 /// where the values of \p pattern hold the entry at \p row and \p column

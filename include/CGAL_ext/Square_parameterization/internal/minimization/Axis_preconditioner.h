@@ -28,7 +28,7 @@ public:
 
   /// \param division see `Axis_matrix`
   explicit Axis_preconditioner(const Patch& patch, const Patch_division* division = nullptr)
-    : m_matrix(patch, fill_reducing_order(patch.number_of_vertices(), patch.edges), division)
+    : m_matrix(patch, elimination_places_of(patch), division)
   {}
 
   /// factors the two matrices at \p uv; false when one of them is singular

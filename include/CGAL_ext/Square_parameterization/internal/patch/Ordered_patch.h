@@ -43,6 +43,9 @@ inline Patch in_order_of(const Patch_division& division, const Patch& patch)
     const int i = division.rank(a), j = division.rank(b);
     result.edges.push_back({(std::min)(i, j), (std::max)(i, j)});
   }
+  if(!patch.elimination_places.empty())
+    for(int v : division.order())
+      result.elimination_places.push_back(patch.elimination_places[v]);
   result.border_lengths = patch.border_lengths;
   result.least_height = patch.least_height;
   result.widened_height = patch.widened_height;

@@ -502,8 +502,7 @@ TEST_CASE("a terminal with very many neighbors is moved to few of them")
     scoring.numbers.most_neighbors = most_neighbors;
     Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
     pool.start(rerouted_initial_cuts(surface, scoring.numbers, team), 0);
-    Cut_report report;
-    Cut_history history(0.05, report);
+    Cut_history history(0.05);
     Cut_growth(pool, 0.05, 10000 * surface.number_of_vertices(), history)();
     return pool.work();
   };
@@ -541,8 +540,7 @@ TEST_CASE("a cut is refined unless it leaves too much stretch, or a score costs 
     Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
     pool.start({cut}, 0);
     const long work = pool.work();
-    Cut_report report;
-    Cut_history history(0.05, report);
+    Cut_history history(0.05);
     Scored_cut best = pool.best(0.05);
     refine_cut(pool, 0.05, most_work, best, history);
     return pool.work() > work;

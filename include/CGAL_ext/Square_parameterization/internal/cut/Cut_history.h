@@ -7,24 +7,31 @@
 #include <CGAL_ext/Square_parameterization/Cut_report.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_pool.h>
 
+#include <vector>
+
 namespace CGAL_ext {
 namespace internal {
 
-/// puts the steps of a decision into its report, with their scores at the weight of the decision
+/// the steps of a decision, with their scores at the weight of the decision
 class Cut_history
 {
 public:
-  Cut_history(double weight, Cut_report& report) : m_weight(weight), m_report(report) {}
+  explicit Cut_history(double weight) : m_weight(weight) {}
 
   void add(const Scored_cut& cut)
   {
     const Cut_score& score = cut.score;
-    m_report.history.push_back({cut.kind, cut.terminal, score.at(m_weight), score.stretch, score.length});
+    m_steps.push_back({cut.kind, cut.terminal, score.at(m_weight), score.stretch, score.length});
   }
+
+  /// \param part of the decision that has a history of its own
+  void add(const Cut_history& part) { m_steps.insert(m_steps.end(), part.m_steps.begin(), part.m_steps.end()); }
+
+  const std::vector<Cut_step>& steps() const { return m_steps; }
 
 private:
   double m_weight;
-  Cut_report& m_report;
+  std::vector<Cut_step> m_steps;
 };
 
 } // namespace internal

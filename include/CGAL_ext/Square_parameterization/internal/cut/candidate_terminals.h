@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CANDIDATE_TERMINALS_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_CANDIDATE_TERMINALS_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/shortest_paths.h>
 
@@ -68,8 +69,14 @@ inline std::vector<int> circle_stretch_maxima(const Triangle_surface& surface, c
 /// vertices that the cut might reach to leave less stretch: up to `numbers.candidates` of either kind
 inline std::vector<int> candidate_terminals(const Triangle_surface& surface, const Cut& cut, const Cut_numbers& numbers)
 {
-  std::vector<int> candidates = successive_farthest_points(surface, cut, numbers.candidates);
-  for(int v : circle_stretch_maxima(surface, cut, numbers))
+  std::vector<int> candidates, maxima;
+  Thread_team::current()(2, [&](std::size_t i) {
+    if(i == 0)
+      maxima = circle_stretch_maxima(surface, cut, numbers); // takes longer
+    else
+      candidates = successive_farthest_points(surface, cut, numbers.candidates);
+  });
+  for(int v : maxima)
     if(std::find(candidates.begin(), candidates.end(), v) == candidates.end())
       candidates.push_back(v);
   return candidates;

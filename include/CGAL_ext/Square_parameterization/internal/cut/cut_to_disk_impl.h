@@ -98,8 +98,7 @@ CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> cuts_to_disk(const Triangle_su
                                                                const Seam_options& options, Cut_report& report)
 {
   check_seam_options(options);
-  constexpr int MOST_COMPETITORS = 16; // cuts that are scored concurrently
-  Thread_team team(options.number_of_threads, MOST_COMPETITORS);
+  Thread_team& team = Thread_team::current();
   if(!seams.empty())
     return {{complete_seams(surface, seams)}};
   if(surface.is_disk() && !options.may_cut_disk())
@@ -111,11 +110,10 @@ CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> cuts_to_disk(const Triangle_su
   return {{shortest_cut(surface, team)}};
 }
 
-CGAL_EXT_INLINE_FUNCTION std::optional<Decided_cut>
-cut_instead(const Triangle_surface& surface, const std::vector<Decided_cut>& decided, unsigned int number_of_threads)
+CGAL_EXT_INLINE_FUNCTION std::optional<Decided_cut> cut_instead(const Triangle_surface& surface,
+                                                                const std::vector<Decided_cut>& decided)
 {
-  Thread_team team(number_of_threads);
-  Cut shortest = shortest_cut(surface, team);
+  Cut shortest = shortest_cut(surface, Thread_team::current());
   const auto is_shortest = [&](const Decided_cut& cut) { return cut.cut.edges() == shortest.edges(); };
   if(std::any_of(decided.begin(), decided.end(), is_shortest))
     return std::nullopt;

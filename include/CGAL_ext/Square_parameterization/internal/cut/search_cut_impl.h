@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -77,7 +78,7 @@ public:
       m_progress(options.visitor),
       m_team(team),
       m_report(report),
-      m_history(options.cut_weight, report)
+      m_history(options.cut_weight)
   {}
 
   /// for a surface of any size: large ones are decided on by a simplified copy. Returns the best cut, and then a second
@@ -86,6 +87,7 @@ public:
   {
     m_progress.begin_part(SIMPLIFIED, 1);
     std::vector<Decided_cut> cuts = decide_on_copy(surface);
+    m_report.history = m_history.steps();
     m_progress.begin_part(1, 1);
     return cuts;
   }
@@ -203,17 +205,8 @@ private:
     const Triangle_surface& grown = copy ? *copy : surface;
     m_grows_on_surface = !copy;
     std::vector<Cut> starts = rerouted_initial_cuts(grown, numbers(), m_team);
-    const int simpler_copies = copy ? numbers().simpler_copies : numbers().simpler_copies_of_small;
-    std::set<int> sizes{grown.number_of_faces()}; // handles may keep copies from getting simpler: each is grown on once
-    for(int i = 0; i < simpler_copies; ++i)
-      if(const auto simpler = simplified_copy(grown, faces_of_simpler_copy(i), numbers(), m_deadline);
-         simpler && sizes.insert(simpler->number_of_faces()).second) {
-        m_progress.begin_part(SIMPLIFIED + (GROWN_ON_SIMPLER_COPIES - SIMPLIFIED) * (i + 1) / simpler_copies,
-                              double(work_of_growth(*simpler)));
-        const std::vector<Cut> simple = grow_family(*simpler, rerouted_initial_cuts(*simpler, numbers(), m_team));
-        for(Cut& cut : lifted(*simpler, simple, grown))
-          starts.push_back(std::move(cut));
-      }
+    for(Cut& cut : cuts_grown_on_simpler_copies(grown))
+      starts.push_back(std::move(cut));
     m_progress.begin_part(GROWN, double(work_of_growth(grown) + (copy ? work_of_decision(surface) : 0)));
     Cut_pool pool_of_grown = grown_pool_for_long(grown, starts);
     if(!copy)
@@ -221,6 +214,50 @@ private:
     Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
     pool.start(lifted(grown, pool_of_grown.selection(m_weight), surface), work_of_decision(surface));
     return pool;
+  }
+
+  /// cuts of different lengths that are grown on simpler copies of the surface, and carried over. Copies know nothing of each
+  /// other, and are worked on concurrently: the time of few scores at once would leave threads idle.
+  std::vector<Cut> cuts_grown_on_simpler_copies(const Triangle_surface& grown)
+  {
+    const std::vector<Triangle_surface> copies = simpler_copies(grown);
+    long work = 0;
+    for(const Triangle_surface& copy : copies)
+      work += work_of_growth(copy);
+    if(!copies.empty())
+      m_progress.begin_part(GROWN_ON_SIMPLER_COPIES, double(work));
+    struct Growth
+    {
+      std::vector<Cut> cuts;
+      Cut_history history;
+    };
+    std::vector<Growth> growths(copies.size(), {{}, Cut_history(m_weight)});
+    m_team(copies.size(), [&](std::size_t i) {
+      if(!has_passed(m_deadline))
+        growths[i].cuts = lifted(copies[i], grow_family(copies[i], growths[i].history), grown);
+    });
+    std::vector<Cut> cuts;
+    for(Growth& growth : growths) {
+      m_history.add(growth.history);
+      std::move(growth.cuts.begin(), growth.cuts.end(), std::back_inserter(cuts));
+    }
+    return cuts;
+  }
+
+  /// copies of different numbers of faces: handles may keep some from getting simpler, and each is to be grown on once
+  std::vector<Triangle_surface> simpler_copies(const Triangle_surface& grown)
+  {
+    std::vector<std::optional<Triangle_surface>> simplified(m_grows_on_surface ? numbers().simpler_copies_of_small
+                                                                               : numbers().simpler_copies);
+    m_team(simplified.size(), [&](std::size_t i) {
+      simplified[i] = simplified_copy(grown, faces_of_simpler_copy(static_cast<int>(i)), numbers(), m_deadline);
+    });
+    std::set<int> sizes{grown.number_of_faces()};
+    std::vector<Triangle_surface> copies;
+    for(std::optional<Triangle_surface>& copy : simplified)
+      if(copy && sizes.insert(copy->number_of_faces()).second)
+        copies.push_back(std::move(*copy));
+    return copies;
   }
 
   /// between the simplest and the one that is grown on at last
@@ -231,9 +268,10 @@ private:
   }
 
   /// cuts of different lengths, none of which need be good
-  std::vector<Cut> grow_family(const Triangle_surface& surface, const std::vector<Cut>& starts)
+  std::vector<Cut> grow_family(const Triangle_surface& surface, Cut_history& history)
   {
-    Cut_pool pool = grown_pool(surface, starts);
+    const Cut_pool pool = grown_pool(surface, rerouted_initial_cuts(surface, numbers(), m_team), history);
+    m_progress.advance(double((std::max)(0L, work_of_growth(surface) - pool.work()))); // which was not needed
     return pool.selection(m_weight);
   }
 
@@ -241,32 +279,32 @@ private:
   /// be for twice as long at least
   Cut_pool grown_pool_for_long(const Triangle_surface& surface, const std::vector<Cut>& starts)
   {
-    Cut_pool pool = grown_pool(surface, starts);
+    Cut_pool pool = grown_pool(surface, starts, m_history);
     const long work = work_of_growth(surface),
                long_work = (std::min)(numbers().times_growth_work * work, numbers().long_growth_work);
     if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()) &&
        long_work >= 2 * work)
-      grow(pool, long_work);
+      grow(pool, long_work, m_history);
     return pool;
   }
 
-  Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Cut>& starts)
+  Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Cut>& starts, Cut_history& history)
   {
     Cut_pool pool = make_pool(surface, numbers().score_tolerance);
     const long most_work = work_of_growth(surface);
     pool.start(starts, (std::max)(most_work, growth_work_per_vertex() * surface.number_of_vertices()));
-    grow(pool, most_work);
+    grow(pool, most_work, history);
     return pool;
   }
 
   /// at each weight growth goes on with the best cut met at all
   /// \param most_work of the pool, in vertices mapped
-  void grow(Cut_pool& pool, long most_work)
+  void grow(Cut_pool& pool, long most_work, Cut_history& history)
   {
     const std::vector<double> weights = weights_of_family(m_weight);
     for(std::size_t i = 0; i < weights.size(); ++i) {
       const long done = pool.work();
-      Cut_growth(pool, weights[i], done + (most_work - done) / static_cast<long>(weights.size() - i), m_history)();
+      Cut_growth(pool, weights[i], done + (most_work - done) / static_cast<long>(weights.size() - i), history)();
     }
   }
 
@@ -321,6 +359,7 @@ CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> search_cut(const Triangle_surf
                                                              const Seam_options& options, Thread_team& team,
                                                              Cut_report& report, const Cut_numbers& numbers)
 {
+  const Thread_team::Scope scope(team);
   return Cut_decision(options, team, report, numbers)(surface);
 }
 

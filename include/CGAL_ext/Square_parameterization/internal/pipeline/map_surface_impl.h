@@ -297,7 +297,7 @@ inline Mapped_disk map_best_disk(Triangle_surface surface, const Surface_arrays&
   if(may_try_shortest_cut(chosen, settings) && best.is_hopeless() && !(is_large && best.has_map()) && may_go_on()) {
     const auto cut_start = Clock::now();
     surface = make_checked_surface(mesh);
-    const std::optional<Decided_cut> other = cut_instead(surface, cuts, settings.search_options.number_of_threads);
+    const std::optional<Decided_cut> other = cut_instead(surface, cuts);
     report.cut_seconds += seconds_since(cut_start);
     if(other && may_go_on()) {
       report.cut.is_replaced = true;

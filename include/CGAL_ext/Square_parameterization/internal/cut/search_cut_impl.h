@@ -217,7 +217,7 @@ private:
   }
 
   /// cuts of different lengths that are grown on simpler copies of the surface, and carried over. Copies know nothing of each
-  /// other, and are worked on concurrently: the time of few scores at once would leave threads idle.
+  /// other, and are worked on concurrently: the few scores that compete on one would leave threads idle.
   std::vector<Cut> cuts_grown_on_simpler_copies(const Triangle_surface& grown)
   {
     const std::vector<Triangle_surface> copies = simpler_copies(grown);

@@ -115,10 +115,11 @@ Choices_of_bytes default_choices()
 }
 
 /// maps a surface of up to 2000 faces with default settings
-Mapped_soup map_with_default_minimization(unsigned int seed)
+Mapped_soup map_with_default_minimization(unsigned int seed, bool tries_other_starts = true)
 {
   Choices_of_bytes choices = default_choices();
   choices.options.minimization = CGAL_ext::Balanced_minimization();
+  choices.options.tries_other_starts = tries_other_starts;
   return map_soup(Random_surface(seed, 2000).soup(), choices);
 }
 
@@ -199,14 +200,10 @@ TEST_CASE("a spiral with ears and spikes that small steps of coarsening lose is 
 
 TEST_CASE("a surface that is stretched thousands of times along the best cut is mapped along the shortest")
 {
-  const auto soup = Random_surface(17000356, 2000).soup();
-  Choices_of_bytes choices = default_choices();
-  choices.options.minimization = CGAL_ext::Balanced_minimization();
-  const Mapped_soup mapped = map_soup(soup, choices);
+  const Mapped_soup mapped = map_with_default_minimization(17000356);
   REQUIRE(mapped.outcome == Outcome::ONE_TO_ONE);
   CHECK(mapped.has_shortest_cut);
-  choices.options.tries_other_starts = false; // nor other cuts
-  const Mapped_soup along_best = map_soup(soup, choices);
+  const Mapped_soup along_best = map_with_default_minimization(17000356, false); // nor other cuts
   REQUIRE(along_best.outcome == Outcome::ONE_TO_ONE);
   CHECK_FALSE(along_best.has_shortest_cut);
   CHECK(mapped.measures.l2 < 0.7 * along_best.measures.l2);

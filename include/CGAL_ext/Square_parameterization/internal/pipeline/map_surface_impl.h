@@ -53,12 +53,11 @@ inline void check_settings(const Square_map_settings& settings)
   check_corner_search(settings.search);
 }
 
-/// how the surface is cut: with the balance and the rectangle that are minimised, if any, and the corners and the threads of
-/// the search
+/// how the surface is cut: with the balance and the rectangle that are minimised, if any, and the corners of the search. The
+/// threads are those of the current team.
 inline Seam_options seam_options(const Square_map_settings& settings)
 {
   Seam_options options(settings.cut);
-  options.number_of_threads = settings.search_options.number_of_threads;
   options.deadline = part_way_to(settings.search_options.deadline, 0.5);
   options.visitor = settings.search_options.visitor;
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);

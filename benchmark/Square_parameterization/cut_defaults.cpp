@@ -162,8 +162,7 @@ Measured_cut measure(const Triangle_surface& surface, const Cut& cut)
 
 Outcome decide(std::vector<Model>& models, const Cut_numbers& numbers, unsigned int threads)
 {
-  constexpr int MOST_TASKS = 16;
-  Thread_team team(threads, MOST_TASKS);
+  Thread_team team(threads);
   Outcome outcome;
   for(Model& model : models) {
     Cut_report report;

@@ -179,8 +179,6 @@ bool has_curve_alone(const Job& job)
          std::all_of(maps.begin(), maps.end(), [](const std::string& name) { return name.empty(); });
 }
 
-constexpr int TEAMS_AT_A_TIME = 2; // of threads: that of the whole map, and in it that of a search
-
 /// threads beside the first, of a number in which 0 stands for all cores, but no more than there are cores for
 unsigned int helpers_with_core(unsigned int threads)
 {
@@ -193,8 +191,7 @@ Exit_status run(Command_line command_line)
 {
   Stopwatch watch;
   if(!has_limited_address_space())
-    use_huge_pages_in_threads(TEAMS_AT_A_TIME *
-                              helpers_with_core(command_line.options.search_options.number_of_threads));
+    use_huge_pages_in_threads(helpers_with_core(command_line.options.search_options.number_of_threads));
   Job job(std::move(command_line));
   const CGAL_ext::Square_map_result<Mesh>& result = job.result;
   Progress progress(job.line);

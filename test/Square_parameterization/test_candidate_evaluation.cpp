@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "On_threads.h"
 #include "search_curve.h"
 #include "test_meshes.h"
 
@@ -9,10 +10,12 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <numeric>
 #include <thread>
+#include <utility>
 
 using namespace CGAL_ext;
 using internal::Candidate_evaluation;
@@ -36,11 +39,11 @@ std::vector<int> all_of(const Stretch_curve& curve)
   return all;
 }
 
-Candidate_evaluation evaluation_of(const Stretch_curve& curve, const Search_conditions& conditions = {})
+Candidate_evaluation evaluation_of(const Stretch_curve& curve, Search_visitor* visitor = nullptr,
+                                   std::function<bool(double)> callback = {})
 {
   return Candidate_evaluation(
-      static_cast<int>(curve.size()), [&curve] { return worker_of(curve); }, conditions.number_of_threads,
-      conditions.visitor, conditions.callback);
+      static_cast<int>(curve.size()), [&curve] { return worker_of(curve); }, visitor, std::move(callback));
 }
 
 /// counts its calls and notices when two overlap
@@ -83,7 +86,8 @@ TEST_CASE("a candidate is mapped once and counted once")
       return worker(candidate, warm_start);
     };
   };
-  Candidate_evaluation evaluation(40, make_worker, 8, nullptr, {});
+  const On_threads eight(8);
+  Candidate_evaluation evaluation(40, make_worker, nullptr, {});
   evaluation({7, 3, 7, 7, 12});
   evaluation({12, 3, 20});
   evaluation({20, 20});
@@ -121,7 +125,8 @@ TEST_CASE("the result is the same for any number of threads and for every run")
     const int expected = static_cast<int>(std::min_element(curve.begin(), curve.end()) - curve.begin());
     for(unsigned int threads : {1, 2, 8, 0})
       for(int run = 0; run < 5; ++run) {
-        Candidate_evaluation evaluation = evaluation_of(curve, {threads});
+        const On_threads team(threads);
+        Candidate_evaluation evaluation = evaluation_of(curve);
         CHECK(evaluation(all_of(curve)) == curve);
         CHECK(evaluation.report().best_candidate == expected);
         CHECK(evaluation.best_map().uv(0, 0) == expected);
@@ -140,7 +145,8 @@ TEST_CASE("the memory of the threads can be freed, and the best map stays")
       return map;
     };
   };
-  Candidate_evaluation evaluation(10, make_worker, 2, nullptr, {});
+  const On_threads two(2);
+  Candidate_evaluation evaluation(10, make_worker, nullptr, {});
   evaluation({7, 5, 6});
   CHECK(memory.use_count() > 1);
   evaluation.release_workers();
@@ -171,7 +177,8 @@ TEST_CASE("of large surfaces few maps are under way at a time")
     };
     std::vector<int> candidates(30);
     std::iota(candidates.begin(), candidates.end(), 0);
-    Candidate_evaluation evaluation(30, make_worker, 8, nullptr, {}, most);
+    const On_threads eight(8);
+    Candidate_evaluation evaluation(30, make_worker, nullptr, {}, most);
     CHECK(evaluation(candidates).back() == 29);
     CHECK(largest <= most);
   }
@@ -195,10 +202,10 @@ TEST_CASE("the callback sees the share of the candidates evaluated, before each 
 {
   const Stretch_curve curve = random_curve(8, 42);
   std::vector<double> shares;
-  Candidate_evaluation evaluation = evaluation_of(curve, {1, nullptr, [&](double share) {
-                                                            shares.push_back(share);
-                                                            return true;
-                                                          }});
+  Candidate_evaluation evaluation = evaluation_of(curve, nullptr, [&](double share) {
+    shares.push_back(share);
+    return true;
+  });
   evaluation({0, 1, 2});
   evaluation({2, 3});
   CHECK(shares == std::vector<double>{0, 1 / 8., 2 / 8., 3 / 8.});
@@ -211,7 +218,8 @@ TEST_CASE("a cancelled search keeps the best so far and stops within one evaluat
   const Stretch_curve curve = random_curve(500, 43);
   Counting_visitor visitor;
   std::atomic<int> asked{0};
-  Candidate_evaluation evaluation = evaluation_of(curve, {threads, &visitor, [&](double) { return ++asked <= 20; }});
+  const On_threads team(threads);
+  Candidate_evaluation evaluation = evaluation_of(curve, &visitor, [&](double) { return ++asked <= 20; });
   CHECK_THROWS_AS(evaluation(all_of(curve)), Search_cancelled);
 
   const Search_report report = evaluation.report();
@@ -231,7 +239,7 @@ TEST_CASE("a cancelled search keeps the best so far and stops within one evaluat
 TEST_CASE("a search cancelled at once has no best")
 {
   const Stretch_curve curve{1, 2};
-  Candidate_evaluation evaluation = evaluation_of(curve, {1, nullptr, [](double) { return false; }});
+  Candidate_evaluation evaluation = evaluation_of(curve, nullptr, [](double) { return false; });
   CHECK_THROWS_AS(evaluation({0, 1}), Search_cancelled);
   CHECK(evaluation.report().evaluations == 0);
   CHECK_FALSE(evaluation.report().best_candidate);
@@ -242,7 +250,8 @@ TEST_CASE("the visitor is told of every evaluation, one at a time")
 {
   const Stretch_curve curve = random_curve(100, 44);
   Counting_visitor visitor;
-  Candidate_evaluation evaluation = evaluation_of(curve, {8, &visitor});
+  const On_threads eight(8);
+  Candidate_evaluation evaluation = evaluation_of(curve, &visitor);
   evaluation({4, 4, 5});
   evaluation(all_of(curve));
   CHECK_FALSE(visitor.calls_overlap);
@@ -270,7 +279,8 @@ TEST_CASE("each thread has a worker of its own, used by one thread at a time")
       return map;
     };
   };
-  Candidate_evaluation evaluation(300, make_worker, 8, nullptr, {});
+  const On_threads eight(8);
+  Candidate_evaluation evaluation(300, make_worker, nullptr, {});
   evaluation(all_of(Stretch_curve(300)));
   CHECK_FALSE(is_shared);
 }
@@ -289,7 +299,8 @@ TEST_CASE("a map starts from that of the nearest candidate of an earlier call, w
         return map;
       };
     };
-    Candidate_evaluation evaluation(20, make_worker, threads, nullptr, {});
+    const On_threads team(threads);
+    Candidate_evaluation evaluation(20, make_worker, nullptr, {});
     evaluation({10}); // keeps none
     evaluation({0, 4, 8}, true);
     evaluation({1, 5, 6, 19, 14}, true);

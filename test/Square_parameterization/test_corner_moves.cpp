@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "On_threads.h"
 #include "closed_meshes.h"
 #include "mapped_patches.h"
 #include "test_meshes.h"
@@ -40,7 +41,7 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
     if(!is_square)
       minimization.aspect.reset();
     const auto minimizer = make_minimizer(patch, minimization);
-    Corner_evaluation all([&] { return Map_minimizer::without_limit(minimizer->make_worker()); }, patch, 0, nullptr,
+    Corner_evaluation all([&] { return Map_minimizer::without_limit(minimizer->make_worker()); }, patch, nullptr,
                           [] { return true; });
     std::vector<Corners> choices;
     for(int a = 0; a < 20; ++a)
@@ -48,6 +49,7 @@ TEST_CASE("corners that move find what brute force over all four corners finds, 
         for(int c = b + 1; c < 20; ++c)
           for(int d = c + 1; d < 20; ++d)
             choices.push_back({a, b, c, d});
+    const On_threads all_cores(0);
     all(choices);
     Square_search_options options;
     options.moves_corners = true;
@@ -115,7 +117,7 @@ TEST_CASE("corners are moved by small steps where large ones tell of a lower pla
 TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")
 {
   const Triangle_surface plate = surface_of(plate_with_handles(10, 10));
-  Thread_team team(1, 1);
+  Thread_team team(1);
   const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
   const auto minimizer = make_minimizer(patch, Balanced_minimization());
   const auto map_for = minimizer->make_rough_worker();

@@ -71,7 +71,7 @@ Square_search_options one_thread(const Deadline& deadline)
 TEST_CASE("a score of a cut whose deadline has passed is that of a map that is left as it was begun")
 {
   const Triangle_surface surface = surface_of(ellipsoid(4, 2));
-  Thread_team team(1, 1);
+  Thread_team team(1);
   const Cut cut = shortest_cut(surface, team);
   const auto score_by = [&](const Deadline& deadline) {
     Cut_score_options options;

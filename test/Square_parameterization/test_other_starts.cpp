@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -50,7 +51,8 @@ TEST_CASE("another start that leads to the same poor map is the last")
   const Corners corners{0, 8, 16, 24};
   const Square_map_settings settings;
   const auto map_from = [&](const Map_minimizer& minimizer) { return map_with_corners(patch, minimizer, corners); };
-  Search_outcome best = map_from(*make_minimizer(patch, settings.minimization));
+  const auto first = make_minimizer(patch, settings.minimization);
+  Search_outcome best = map_from(*first);
   REQUIRE(is_poor(best, Minimizer_numbers::HOPELESS_RESULT));
   const auto starts = other_starts(patch, std::get<Balanced_minimization>(settings.minimization), {});
   const Search_outcome second = map_from(*starts.front().make_minimizer());
@@ -58,7 +60,7 @@ TEST_CASE("another start that leads to the same poor map is the last")
   REQUIRE(do_agree(best, second));
   SECTION("the best map agrees with it")
   {
-    try_other_starts(patch, corners, settings, best);
+    try_other_starts(patch, *first, corners, settings, best);
     CHECK(best.work == work);
     CHECK(best.map.report.objective == (std::min)(energy, second.map.report.objective));
   }
@@ -66,7 +68,7 @@ TEST_CASE("another start that leads to the same poor map is the last")
   {
     best.map.report.objective *= 1.1;
     CHECK_FALSE(do_agree(best, second));
-    try_other_starts(patch, corners, settings, best);
+    try_other_starts(patch, *first, corners, settings, best);
     CHECK(best.work > work);
   }
   SECTION("two are tried whatever they cost")
@@ -74,7 +76,7 @@ TEST_CASE("another start that leads to the same poor map is the last")
     best.map.report.objective *= 1.1;
     best.work = 2 * most_work_of_starts(patch.number_of_vertices());
     const double work_of_three = best.work + second.work + map_from(*starts[1].make_minimizer()).work;
-    try_other_starts(patch, corners, settings, best);
+    try_other_starts(patch, *first, corners, settings, best);
     CHECK(best.work == work_of_three);
   }
   SECTION("maps that are lost tell nothing")
@@ -90,7 +92,8 @@ TEST_CASE("where starts are not cheap none is tried when it would cost too much"
   const Patch patch = make_patch_of(rectangle(51, 51, 5e6, 1, 1));
   const Corners corners{0, 51, 102, 153};
   const Square_map_settings settings;
-  Search_outcome best = map_with_corners(patch, *make_minimizer(patch, settings.minimization), corners);
+  const auto first = make_minimizer(patch, settings.minimization);
+  Search_outcome best = map_with_corners(patch, *first, corners);
   const auto starts = other_starts(patch, std::get<Balanced_minimization>(settings.minimization), {});
   const Search_outcome second = map_with_corners(patch, *starts.front().make_minimizer(), corners);
   best.map.report.objective *= 1.1;
@@ -101,7 +104,7 @@ TEST_CASE("where starts are not cheap none is tried when it would cost too much"
   const double work_of_two = best.work + second.work;
   REQUIRE(work_of_two < most_work);
   REQUIRE(1.5 * work_of_two > MOST_EXCESS_OF_STARTS * most_work);
-  try_other_starts(patch, corners, settings, best);
+  try_other_starts(patch, *first, corners, settings, best);
   CHECK(best.work == work_of_two);
 }
 
@@ -139,6 +142,25 @@ TEST_CASE("weights that are chosen are not tried again, and blended ones are the
   chosen.start.weights = Harmonic_weights();
   CHECK(others() ==
         std::vector<Map_start>{Map_start::BLENDED_WEIGHTS, Map_start::UNIFORM_WEIGHTS, Map_start::MEAN_VALUE_WEIGHTS});
+}
+
+TEST_CASE("starts that share coarse patches lead to the maps to which each leads alone")
+{
+  // the border of a large strip is made coarse, too, which has no room for corners that are side by side
+  const bool is_large = GENERATE(true, false);
+  const Patch patch = make_patch_of(is_large ? long_strip(700) : noisy_height_field(12));
+  const int quarter = static_cast<int>(patch.border.size()) / 4;
+  const Corners corners = GENERATE_COPY(Corners{0, quarter, 2 * quarter, 3 * quarter}, Corners{0, 1, 2, 3});
+  const auto first = make_minimizer(patch, Balanced_minimization());
+  const std::vector<Other_start> sharing = other_starts(patch, {}, {}, first.get());
+  for(std::size_t i = 0; i < sharing.size(); ++i) {
+    const Other_start alone = other_starts(patch, {}, {})[i];
+    const Search_outcome a = map_with_corners(patch, *alone.make_minimizer(), corners);
+    const Search_outcome b = map_with_corners(patch, *sharing[i].make_minimizer(), corners);
+    CHECK(alone.start == sharing[i].start);
+    CHECK(a.map.uv == b.map.uv);
+    CHECK(a.work == b.work);
+  }
 }
 
 TEST_CASE("a border that is fixed first slides in the end, to the map of the usual start")

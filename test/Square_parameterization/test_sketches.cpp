@@ -116,7 +116,7 @@ TEST_CASE("no sketch of a plate of many holes is lost on the way from coarse to 
   for(int period : {4, 5}) {
     const Triangle_surface plate =
         surface_of(voxels(82, 82, 1, [period](int x, int y, int) { return x % period < 2 || y % period < 2; }));
-    Thread_team team(1, 1);
+    Thread_team team(1);
     const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
     REQUIRE(minimizer->has_sketches());

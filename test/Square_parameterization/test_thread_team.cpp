@@ -22,7 +22,7 @@ using CGAL_ext::internal::Thread_team;
 TEST_CASE("a team does each task once, whatever the numbers of threads and tasks, and again")
 {
   for(unsigned int threads : {0u, 1u, 2u, 7u}) {
-    Thread_team team(threads, 100);
+    Thread_team team(threads);
     for(std::size_t count : {0u, 1u, 2u, 5u, 1000u, 3u}) {
       std::vector<int> calls(count, 0);
       team(count, [&](std::size_t i) { ++calls[i]; });
@@ -36,7 +36,7 @@ TEST_CASE("a team has as many threads as asked for, and keeps them")
   std::mutex mutex;
   std::set<std::thread::id> threads;
   std::atomic<int> met{0};
-  Thread_team team(4, 100);
+  Thread_team team(4);
   for(int call = 0; call < 2; ++call) {
     met = 0;
     std::atomic<int> complete{0}; // Catch counts for one thread at a time
@@ -60,7 +60,7 @@ TEST_CASE("a team has as many threads as asked for, and keeps them")
 TEST_CASE("an exception of a task comes out, and the team is as good as before")
 {
   for(unsigned int threads : {1u, 3u}) {
-    Thread_team team(threads, 100);
+    Thread_team team(threads);
     for(int call = 0; call < 3; ++call) {
       std::atomic<int> begun{0};
       CHECK_THROWS_WITH(team(100000,
@@ -191,7 +191,7 @@ TEST_CASE("where no thread can be made the tasks are done by those there are")
   const pid_t child = fork();
   if(child == 0) { // the limit would stay
     std::atomic<int> done{0};
-    Thread_team team(8, 8);
+    Thread_team team(8);
     rlimit limit{1 << 20, 1 << 20}; // of the address space: less than there is already, and no room for a stack
     if(setrlimit(RLIMIT_AS, &limit) != 0)
       _exit(2);

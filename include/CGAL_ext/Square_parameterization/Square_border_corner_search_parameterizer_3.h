@@ -86,6 +86,8 @@ public:
       if(!m_objective.is_valid())
         return SMP::ERROR_WRONG_PARAMETER;
       internal::check_corner_search(m_search);
+      internal::Thread_team team(m_options.number_of_threads);
+      const internal::Thread_team::Scope scope(team);
       const auto [patch, vertices] = internal::make_face_graph_patch(mesh, bhd, get(CGAL::vertex_point, mesh));
       const internal::Search_outcome outcome = search(patch, *internal::make_minimizer(patch, m_objective, deadline()));
       if(outcome.map.uv.rows() == 0)
@@ -102,10 +104,11 @@ public:
   bool is_border_convex() const { return true; }
 
   /// \cond SKIP_IN_MANUAL
-  /// searches the corners for maps made by \p minimizer, and tells the visitor all of it
+  /// searches the corners for maps made by \p minimizer, with the threads of the current team, and tells the visitor all of it
   internal::Search_outcome search(const internal::Patch& patch, const internal::Map_minimizer& minimizer) const
   {
-    internal::Search_outcome outcome = internal::search_square_map(patch, minimizer, m_search, m_options);
+    internal::Search_outcome outcome = internal::search_corners(patch, minimizer, m_search, m_options);
+    internal::finish_map(minimizer, m_options.visitor, outcome);
     if(m_options.visitor != nullptr && outcome.map.uv.rows() > 0)
       m_options.visitor->end_minimization(outcome.map.report);
     return outcome;

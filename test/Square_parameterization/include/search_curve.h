@@ -6,6 +6,8 @@
 #ifndef CGAL_EXT_SEARCH_CURVE_H
 #define CGAL_EXT_SEARCH_CURVE_H
 
+#include "On_threads.h"
+
 #include <CGAL_ext/Square_parameterization/internal/search/run_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
@@ -64,9 +66,9 @@ inline CGAL_ext::Search_report search_curve(const Stretch_curve& curve, const CG
                                             const Search_conditions& conditions = {})
 {
   const int candidates = static_cast<int>(curve.size());
+  const On_threads threads(conditions.number_of_threads);
   CGAL_ext::internal::Candidate_evaluation evaluation(
-      candidates, [&] { return worker_of(curve); }, conditions.number_of_threads, conditions.visitor,
-      conditions.callback);
+      candidates, [&] { return worker_of(curve); }, conditions.visitor, conditions.callback);
   CGAL_ext::Corner_search_problem problem;
   problem.number_of_candidates = candidates;
   problem.objective_of = [&](const std::vector<int>& batch) { return evaluation(batch); };

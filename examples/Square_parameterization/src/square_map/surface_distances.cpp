@@ -70,7 +70,7 @@ Surface_distance distance_to(const Triangles& other, const Triangles& surface, u
     others.emplace_back(cgal_point(other.points[a]), cgal_point(other.points[b]), cgal_point(other.points[c]));
   Tree tree(others.begin(), others.end());
   tree.build();
-  CGAL_ext::internal::Thread_team team(number_of_threads, std::numeric_limits<int>::max());
+  CGAL_ext::internal::Thread_team team(number_of_threads);
   const std::size_t stride = surface.triangles.size() / MANY_TRIANGLES | 1; // odd: a grid has two triangles a square
   std::vector<Eigen::Vector3d> points;                                      // three corners and the centroid of each
   std::vector<double> areas;

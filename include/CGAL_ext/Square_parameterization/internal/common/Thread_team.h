@@ -50,10 +50,7 @@ public:
   static constexpr std::size_t ANY_NUMBER = static_cast<std::size_t>(-1);
 
   /// \param threads their number; 0 for all cores
-  /// \param most_tasks at a time: more threads would have nothing to do
-  explicit Thread_team(unsigned int threads, std::size_t most_tasks = ANY_NUMBER)
-    : m_most_helpers((std::min)(std::size_t(number_of_threads(threads)), (std::max)(most_tasks, std::size_t(1))) - 1)
-  {}
+  explicit Thread_team(unsigned int threads) : m_most_helpers(std::size_t(number_of_threads(threads)) - 1) {}
 
   Thread_team(const Thread_team&) = delete;
   Thread_team& operator=(const Thread_team&) = delete;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -25,12 +26,14 @@ namespace internal {
 class Coarse_to_fine_descent
 {
 public:
+  /// \param first_maps of the patches of `levels.starts()`, in their order
   /// \param borders of the patches, for the map that is wanted
   /// \param workspace that is prepared
   /// \param work_before what the same map has cost in vain, in vertices visited
-  Coarse_to_fine_descent(const Minimizer_levels& levels, const Patch_sequence::Borders& borders,
-                         Minimizer_levels::Workspace& workspace, long work_before = 0)
-    : m_levels(levels), m_borders(borders), m_workspace(workspace), m_work_before(work_before)
+  Coarse_to_fine_descent(const Minimizer_levels& levels, const std::deque<Stretch_iteration>& first_maps,
+                         const Patch_sequence::Borders& borders, Minimizer_levels::Workspace& workspace,
+                         long work_before = 0)
+    : m_levels(levels), m_first_maps(first_maps), m_borders(borders), m_workspace(workspace), m_work_before(work_before)
   {}
 
   /// what it has cost so far, in vertices visited
@@ -56,11 +59,9 @@ public:
   {
     Uv_coordinates uv;
     const auto& starts = m_levels.starts();
-    const auto may_start = [&](std::size_t i) { return i < starts.size() && starts[i].level < m_borders.size(); };
-    for(std::size_t i = 0; may_start(i) && uv.rows() == 0 && !m_is_abandoned; ++i) {
-      const auto& [level, iteration] = starts[i];
-      uv = refine(level, to, first_map(*iteration, m_borders[level].uv, m_workspace.starts[i]));
-    }
+    const auto may_start = [&](std::size_t i) { return i < starts.size() && starts[i] < m_borders.size(); };
+    for(std::size_t i = 0; may_start(i) && uv.rows() == 0 && !m_is_abandoned; ++i)
+      uv = refine(starts[i], to, first_map(m_first_maps[i], m_borders[starts[i]].uv, m_workspace.starts[i]));
     return uv.rows() == 0 && !m_is_abandoned ? resume(to) : uv;
   }
 
@@ -161,6 +162,7 @@ private:
   }
 
   const Minimizer_levels& m_levels;
+  const std::deque<Stretch_iteration>& m_first_maps;
   const Patch_sequence::Borders& m_borders;
   Minimizer_levels::Workspace& m_workspace;
   double m_largest_energy = Minimizer_numbers::HOPELESS;

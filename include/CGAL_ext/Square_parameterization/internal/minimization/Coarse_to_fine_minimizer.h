@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/minimization/Map_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Shared_levels.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/check_maps.h>
 
 #include <algorithm>
@@ -25,11 +26,18 @@ public:
   /// \param deadline see `make_minimizer()`
   Coarse_to_fine_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline,
                            Coarsening coarsening)
+    : Coarse_to_fine_minimizer(patch, minimization, deadline,
+                               std::make_shared<Shared_levels>(patch, minimization, deadline, coarsening))
+  {}
+
+  /// on patches that other minimizers use, too
+  Coarse_to_fine_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline,
+                           std::shared_ptr<Shared_levels> levels)
     : m_patch(patch),
       m_minimization(minimization),
       m_deadline(deadline),
-      m_coarsening(coarsening),
-      m_minimizer(patch, minimization, true, deadline, coarsening)
+      m_levels(std::move(levels)),
+      m_minimizer(m_levels->usual(), minimization, deadline)
   {}
 
   Worker make_worker() const override
@@ -62,6 +70,13 @@ public:
       return map;
     Minimized_map finished = checked(m_minimizer.finish(map, limit));
     return finished.uv.rows() > 0 ? finished : map;
+  }
+
+  std::shared_ptr<const Map_minimizer> with_first_maps(const Stretch_minimization& start) const override
+  {
+    Balanced_minimization minimization = m_minimization;
+    minimization.start = start;
+    return std::make_shared<Coarse_to_fine_minimizer>(m_patch, minimization, m_deadline, m_levels);
   }
 
   Minimized_map map_border(const Uv_coordinates& border_uv) const override
@@ -108,7 +123,8 @@ private:
       return none;
     }
     std::call_once(m_whole_border_made, [this] {
-      m_whole_border = std::make_unique<Multilevel_minimizer>(m_patch, m_minimization, false, m_deadline, m_coarsening);
+      m_whole_border =
+          std::make_unique<Multilevel_minimizer>(m_levels->with_whole_border(), m_minimization, m_deadline);
     });
     Multilevel_minimizer::Workspace workspace;
     Minimized_map map = m_whole_border->minimize(border_uv, workspace, nullptr, work_before);
@@ -126,7 +142,7 @@ private:
   const Patch& m_patch;
   Balanced_minimization m_minimization;
   Deadline m_deadline;
-  Coarsening m_coarsening;
+  std::shared_ptr<Shared_levels> m_levels;
   Multilevel_minimizer m_minimizer;
   mutable std::once_flag m_whole_border_made;
   mutable std::unique_ptr<const Multilevel_minimizer> m_whole_border; // made when needed

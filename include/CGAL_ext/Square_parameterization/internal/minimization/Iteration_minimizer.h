@@ -45,6 +45,8 @@ public:
   /// a map of a worker is ready
   Minimized_map finish(Minimized_map map, double) const override { return map; }
 
+  std::shared_ptr<const Map_minimizer> with_first_maps(const Stretch_minimization&) const override { return nullptr; }
+
   Minimized_map map_border(const Uv_coordinates& border_uv) const override
   {
     return map_any_border(

@@ -4,10 +4,12 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAP_MINIMIZER_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_MAP_MINIMIZER_H
 
+#include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -67,6 +69,10 @@ public:
   /// \param limit one whose objective stays above it may come back as it is, or on its way to be finished by another call;
   ///        its objective is then about what it would come to
   virtual Minimized_map finish(Minimized_map map, double limit = NO_LIMIT) const = 0;
+
+  /// the same on the same coarse patches, but for the weights and the iteration of first maps. Null when there are no coarse
+  /// patches.
+  virtual std::shared_ptr<const Map_minimizer> with_first_maps(const Stretch_minimization& start) const = 0;
 
   /// maps for one border (#B by 2) that is any convex polygon, also a clockwise one: then through its mirror image
   virtual Minimized_map map_border(const Uv_coordinates& border_uv) const = 0;

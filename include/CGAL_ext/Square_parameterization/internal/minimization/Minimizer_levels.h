@@ -31,17 +31,11 @@ namespace internal {
 /// that do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a
 /// start.
 ///
-/// Constant after construction. The patches do not depend on the places of the border vertices, and serve all maps.
+/// Constant after construction. They depend neither on the places of the border vertices nor on how first maps are made, and
+/// serve all maps.
 class Minimizer_levels
 {
 public:
-  /// how a coarse patch is mapped
-  struct Start
-  {
-    std::size_t level;
-    std::unique_ptr<Stretch_iteration> iteration;
-  };
-
   /// the memory of one thread
   struct Workspace
   {
@@ -77,7 +71,7 @@ public:
   /// indicates whether first maps are made of the patch
   bool is_start(std::size_t level) const
   {
-    return std::any_of(m_starts.begin(), m_starts.end(), [level](const Start& start) { return start.level == level; });
+    return std::find(m_starts.begin(), m_starts.end(), level) != m_starts.end();
   }
 
   /// the patch whose maps are warm starts
@@ -98,8 +92,8 @@ public:
   /// carries maps of one of these levels over
   const Map_transport& transport(std::size_t level) const { return *m_transports[level]; }
 
-  /// from the coarsest patch that keeps its shape, and from the coarsest
-  const std::vector<Start>& starts() const { return m_starts; }
+  /// the levels of first maps: the coarsest patch that keeps its shape, and the coarsest
+  const std::vector<std::size_t>& starts() const { return m_starts; }
 
   /// of the energy that is minimised on coarse patches
   double coarse_balance() const { return m_coarse_balance; }
@@ -156,16 +150,15 @@ private:
     return (std::clamp)(Minimizer_numbers::MOST_TIMES_FINAL_VERTICES * number_of_vertices(), LARGEST / 4, LARGEST);
   }
 
-  /// makes the patches, from fine to coarse, starts from the coarsest, and minimizers
+  /// makes the patches, from fine to coarse, and minimizers
   void make_levels(const Balanced_minimization& options, const Deadline& deadline)
   {
     const auto coarsen = [&](Patch_sequence::Shapes_kept shapes_kept) {
       while(add_coarser(shapes_kept, options, deadline)) {
       }
       const std::size_t coarsest = m_patches.size() - 1;
-      if(m_starts.empty() || m_starts.back().level < coarsest)
-        m_starts.push_back({coarsest, std::make_unique<Stretch_iteration>(m_patches[coarsest], options.start,
-                                                                          make_direct_solver, deadline)});
+      if(m_starts.empty() || m_starts.back() < coarsest)
+        m_starts.push_back(coarsest);
     };
     coarsen({Minimizer_numbers::SHAPE_KEPT, Minimizer_numbers::LEAST_SHAPE_KEPT});
     m_warm = m_patches.finest_with(Minimizer_numbers::LARGEST_WARM_START);
@@ -229,7 +222,7 @@ private:
   Patch_sequence m_patches;
   std::vector<std::unique_ptr<Balanced_minimizer>> m_minimizers; // of each patch
   std::vector<std::unique_ptr<Map_transport>> m_transports;      // null where maps are not carried over
-  std::vector<Start> m_starts;
+  std::vector<std::size_t> m_starts;
   double m_coarse_balance = 0;
   std::size_t m_warm = 0, m_sketched = 0, m_rough = 0, m_first_moves = 0; // levels
 };

@@ -9,7 +9,9 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Minimizer_levels.h>
 
 #include <cstddef>
+#include <deque>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -36,6 +38,11 @@ public:
                                 bool may_coarsen_border = true, const Deadline& deadline = {},
                                 Coarsening coarsening = Coarsening::BY_HALVES);
 
+  /// the same on patches that other minimizers use, too
+  /// \pre these were made with the same options but for the start
+  Multilevel_minimizer(std::shared_ptr<const Minimizer_levels> levels, const Balanced_minimization& options,
+                       const Deadline& deadline);
+
   /// maps for the border \p border_uv (#B by 2), to the tolerance of a search. The result has no uv when no map without
   /// flips was found to start from: for want of room, too, where the corners are close together and `keeps_border()` is
   /// false.
@@ -53,19 +60,19 @@ public:
   bool has_sketches() const
   {
     const int vertices = patches()[0].number_of_vertices();
-    const int sketched = patches()[m_levels.sketched()].number_of_vertices();
+    const int sketched = patches()[m_levels->sketched()].number_of_vertices();
     return vertices >= Minimizer_numbers::SMALLEST_SKETCHED &&
            Minimizer_numbers::LEAST_SKETCH_RATIO * sketched <= vertices;
   }
 
   /// the patch whose maps are sketches
-  std::size_t sketch_level() const { return m_levels.sketched(); }
+  std::size_t sketch_level() const { return m_levels->sketched(); }
 
   /// the patch of rough maps, which cost little
-  std::size_t rough_level() const { return m_levels.rough(); }
+  std::size_t rough_level() const { return m_levels->rough(); }
 
   /// the patch on which corners are moved first
-  std::size_t first_moves_level() const { return m_levels.first_moves(); }
+  std::size_t first_moves_level() const { return m_levels->first_moves(); }
 
   /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
   /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
@@ -87,7 +94,7 @@ public:
   }
 
 private:
-  const Patch_sequence& patches() const { return m_levels.patches(); }
+  const Patch_sequence& patches() const { return m_levels->patches(); }
 
   /// indicates whether few maps are made of the patch: while the coarser ones are at hand, the first minimization is the last
   bool is_large() const { return patches()[0].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED; }
@@ -99,7 +106,7 @@ private:
   /// the level of a warm start, of which its size tells: each patch is smaller than the one before it
   std::optional<std::size_t> level_of(const Uv_coordinates& warm_start) const
   {
-    for(const std::size_t level : m_levels.carried_over())
+    for(const std::size_t level : m_levels->carried_over())
       if(patches()[level].number_of_vertices() == warm_start.rows())
         return level;
     return std::nullopt;
@@ -114,7 +121,7 @@ private:
     const Uv_coordinates shifted = slides ? shift_border(patch, uv, border_uv) : border_uv;
     if(is_border_of(patch, shifted, uv))
       return uv;
-    return m_levels.transport(level)(uv, shifted, workspace.transports[level]);
+    return m_levels->transport(level)(uv, shifted, workspace.transports[level]);
   }
 
   static bool is_border_of(const Patch& patch, const Uv_coordinates& border_uv, const Uv_coordinates& uv)
@@ -132,7 +139,8 @@ private:
   Minimized_map map_to_compare(std::size_t level, Uv_coordinates uv, Workspace& workspace,
                                const Coarse_to_fine_descent& descent) const;
 
-  Minimizer_levels m_levels;
+  std::shared_ptr<const Minimizer_levels> m_levels;
+  std::deque<Stretch_iteration> m_first_maps; // of the patches where ways begin
   Balanced_minimization m_options;
   Deadline m_deadline;
 };

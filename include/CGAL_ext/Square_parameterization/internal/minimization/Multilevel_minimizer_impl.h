@@ -9,7 +9,9 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -21,17 +23,28 @@ namespace internal {
 CGAL_EXT_INLINE_FUNCTION
 Multilevel_minimizer::Multilevel_minimizer(const Patch& patch, const Balanced_minimization& options,
                                            bool may_coarsen_border, const Deadline& deadline, Coarsening coarsening)
-  : m_levels(patch, options, may_coarsen_border, deadline, coarsening), m_options(options), m_deadline(deadline)
+  : Multilevel_minimizer(
+        std::make_shared<const Minimizer_levels>(patch, options, may_coarsen_border, deadline, coarsening), options,
+        deadline)
 {}
+
+CGAL_EXT_INLINE_FUNCTION Multilevel_minimizer::Multilevel_minimizer(std::shared_ptr<const Minimizer_levels> levels,
+                                                                    const Balanced_minimization& options,
+                                                                    const Deadline& deadline)
+  : m_levels(std::move(levels)), m_options(options), m_deadline(deadline)
+{
+  for(const std::size_t level : m_levels->starts())
+    m_first_maps.emplace_back(patches()[level], options.start, make_direct_solver, deadline);
+}
 
 CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::minimize(const Uv_coordinates& border_uv,
                                                                       Workspace& workspace,
                                                                       const Uv_coordinates* warm_start,
                                                                       long work_before) const
 {
-  m_levels.prepare(workspace);
+  m_levels->prepare(workspace);
   const Patch_sequence::Borders borders = patches().borders(border_uv);
-  Coarse_to_fine_descent descent(m_levels, borders, workspace, work_before);
+  Coarse_to_fine_descent descent(*m_levels, m_first_maps, borders, workspace, work_before);
   Uv_coordinates uv;
   if(const std::optional<std::size_t> level = warm_start != nullptr ? level_of(*warm_start) : std::nullopt;
      level && *level < borders.size())
@@ -46,7 +59,7 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::minimize(const Uv_c
   if(uv.rows() == 0)
     return without_map(descent);
   Minimized_map map = map_to_compare(0, std::move(uv), workspace, descent);
-  map.warm_start = m_levels.warm() == 0 ? map.uv : descent.take_warm_start();
+  map.warm_start = m_levels->warm() == 0 ? map.uv : descent.take_warm_start();
   return map;
 }
 
@@ -55,13 +68,13 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::sketch(std::size_t 
                                                                     const Uv_coordinates* warm_start,
                                                                     double limit) const
 {
-  m_levels.prepare(workspace);
+  m_levels->prepare(workspace);
   const Patch_sequence::Borders borders = patches().borders(border_uv);
   Minimized_map map;
   if(warm_start != nullptr && level < borders.size())
     map = sketch_from(level, *warm_start, limit, borders[level].uv, workspace);
   if(map.uv.rows() == 0) {
-    Coarse_to_fine_descent descent(m_levels, borders, workspace);
+    Coarse_to_fine_descent descent(*m_levels, m_first_maps, borders, workspace);
     Uv_coordinates uv = descent.start(level);
     if(uv.rows() == 0)
       return without_map(descent);
@@ -76,12 +89,12 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::finish(Minimized_ma
 {
   if(!is_large()) {
     Balanced_minimizer::Workspace workspace;
-    const long work = (std::max)(m_levels.most_final_work() - map.work_of_starts, m_levels.least_final_work());
-    map = m_levels.minimizer(0).minimize(std::move(map), m_options.tolerance,
-                                         {m_options.maximum_iterations, work, limit}, workspace);
+    const long work = (std::max)(m_levels->most_final_work() - map.work_of_starts, m_levels->least_final_work());
+    map = m_levels->minimizer(0).minimize(std::move(map), m_options.tolerance,
+                                          {m_options.maximum_iterations, work, limit}, workspace);
   }
   if(map.report.objective < limit)
-    m_levels.minimizer(0).settle(map);
+    m_levels->minimizer(0).settle(map);
   return map;
 }
 
@@ -93,7 +106,7 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::sketch_from(std::si
   Uv_coordinates uv = transport(level, warm_start, border_uv, workspace);
   if(uv.rows() == 0)
     return Minimized_map();
-  const Balanced_minimizer& minimizer = m_levels.minimizer(level);
+  const Balanced_minimizer& minimizer = m_levels->minimizer(level);
   const long relaxation = minimizer.relax(uv, Minimizer_numbers::SWEEPS_OF_TRANSPORTED);
   const Balanced_minimizer::Limits limits{Minimizer_numbers::SEARCH_ITERATIONS, (std::numeric_limits<long>::max)(),
                                           limit};
@@ -114,7 +127,7 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::map_to_compare(std:
                                                                             Workspace& workspace,
                                                                             const Coarse_to_fine_descent& descent) const
 {
-  const Balanced_minimizer& minimizer = m_levels.minimizer(level);
+  const Balanced_minimizer& minimizer = m_levels->minimizer(level);
   const long relaxation = minimizer.relax(uv);
   const bool is_last = level == 0 && is_large(), is_lost = descent.is_lost();
   const unsigned int most_of_search =
@@ -125,10 +138,10 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::map_to_compare(std:
   const auto minimize = [&](Minimized_map map, long most_work) {
     return minimizer.minimize(std::move(map), tolerance, {most, most_work}, workspace.levels[level]);
   };
-  Minimized_map map =
-      minimize({std::move(uv), {}, {}}, is_last && is_lost ? m_levels.least_final_work() : m_levels.usual_final_work());
+  Minimized_map map = minimize({std::move(uv), {}, {}},
+                               is_last && is_lost ? m_levels->least_final_work() : m_levels->usual_final_work());
   if(is_large() && !is_lost && map.report.objective > Minimizer_numbers::HOPELESS_RESULT)
-    map = minimize(std::move(map), m_levels.most_final_work());
+    map = minimize(std::move(map), m_levels->most_final_work());
   map.work += relaxation + descent.work();
   return map;
 }

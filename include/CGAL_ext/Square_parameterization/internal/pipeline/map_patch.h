@@ -69,10 +69,12 @@ inline bool do_agree(const Search_outcome& a, const Search_outcome& b)
 /// tries the other starts until one is not poor; when there is a map, until all have cost too much, or will with the
 /// next, but `least_other_starts()` in any case, or one agrees with the best. Where the first has a map and has cost too
 /// much, there are none. `finish_map()` is to follow.
+/// \param minimizer of the first start
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
-inline Map_start try_other_starts(const Patch& patch, const std::optional<Corners>& corners,
-                                  const Square_map_settings& settings, Search_outcome& best)
+inline Map_start try_other_starts(const Patch& patch, const Map_minimizer& minimizer,
+                                  const std::optional<Corners>& corners, const Square_map_settings& settings,
+                                  Search_outcome& best)
 {
   Map_start start = Map_start::AS_CHOSEN;
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
@@ -85,7 +87,7 @@ inline Map_start try_other_starts(const Patch& patch, const std::optional<Corner
   double work = best.work;
   int others = 0;
   bool is_cancelled = false, is_enough = false;
-  for(const Other_start& other : other_starts(patch, *balanced, deadline)) {
+  for(const Other_start& other : other_starts(patch, *balanced, deadline, &minimizer)) {
     if(!is_poor(best, least_poor_objective(vertices)) || (has_map(best) && is_enough) || is_cancelled ||
        has_passed(deadline))
       break;
@@ -149,7 +151,7 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
     if(is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
     if(is_poor(outcome, least_poor) && !outcome.report.is_cancelled)
-      report.start = try_other_starts(patch, corners, settings, outcome);
+      report.start = try_other_starts(patch, minimizer, corners, settings, outcome);
     if(!is_polygon && goes_on)
       search_longer(patch, minimizer, settings, outcome);
   }

@@ -49,7 +49,8 @@ inline void check_candidate(int candidate, int number_of_candidates)
                          "; the candidates are 0 to " + std::to_string(number_of_candidates - 1));
 }
 
-/// maps candidates concurrently, each at most once, and keeps their objectives and the best map.
+/// maps candidates concurrently, by the threads of the current team, each at most once, and keeps their objectives and the best
+/// map.
 ///
 /// The result does not depend on the number of threads: what the maps of a call start from is chosen before the call
 /// begins, among the maps of earlier calls, and among equal objectives the lowest candidate wins. Memory: one map, one
@@ -63,17 +64,14 @@ public:
   using Worker = std::function<Minimized_map(int candidate, const Uv_coordinates* warm_start)>;
 
   /// \param make_worker makes a worker, of which each thread that maps has one; called by several threads at a time
-  /// \param number_of_threads 0 for all cores
   /// \param visitor told of each evaluation, by one thread at a time; may be null
   /// \param callback asked before each evaluation, by one thread at a time, with the share of the candidates evaluated
   ///        so far; `false` stops. May be empty.
   /// \param most_at_once candidates under way at a time, each with the memory of a worker
-  Candidate_evaluation(int number_of_candidates, std::function<Worker()> make_worker, unsigned int number_of_threads,
-                       Search_visitor* visitor, std::function<bool(double)> callback,
-                       std::size_t most_at_once = Thread_team::ANY_NUMBER)
+  Candidate_evaluation(int number_of_candidates, std::function<Worker()> make_worker, Search_visitor* visitor,
+                       std::function<bool(double)> callback, std::size_t most_at_once = Thread_team::ANY_NUMBER)
     : m_number_of_candidates(number_of_candidates),
       m_workers(std::move(make_worker)),
-      m_team(number_of_threads),
       m_most_at_once(most_at_once),
       m_visitor(visitor),
       m_callback(std::move(callback))
@@ -96,7 +94,7 @@ public:
         warm_starts.push_back(start_from_neighbors ? nearest_warm_start(candidate) : nullptr);
       }
     std::vector<char> is_done(missing.size(), false);
-    m_team(
+    Thread_team::current()(
         missing.size(),
         [&](std::size_t i) {
           if(!may_continue())
@@ -201,7 +199,6 @@ private:
 
   const int m_number_of_candidates;
   Worker_pool<Worker> m_workers;
-  Thread_team m_team;
   std::size_t m_most_at_once;
   Search_visitor* m_visitor;
   std::function<bool(double)> m_callback;

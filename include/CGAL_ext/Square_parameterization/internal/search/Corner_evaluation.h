@@ -37,8 +37,8 @@ struct Corner_choice
   }
 };
 
-/// maps a patch for choices of four corners, concurrently, and keeps the best map; the result is the same for any number
-/// of threads
+/// maps a patch for choices of four corners, concurrently, by the threads of the current team, and keeps the best map; the
+/// result is the same for any number of threads
 class Corner_evaluation
 {
 public:
@@ -46,11 +46,10 @@ public:
   /// \param may_continue asked before each map, by one thread at a time; `false` stops
   /// \param most_at_once maps under way at a time, each with the memory of a worker
   Corner_evaluation(std::function<Map_minimizer::Comparing_worker()> make_worker, const Patch& patch,
-                    unsigned int number_of_threads, Search_visitor* visitor, std::function<bool()> may_continue,
+                    Search_visitor* visitor, std::function<bool()> may_continue,
                     std::size_t most_at_once = Thread_team::ANY_NUMBER)
     : m_workers(std::move(make_worker)),
       m_loop(patch.border_lengths, Walk::COUNTER_CLOCKWISE),
-      m_team(number_of_threads),
       m_most_at_once(most_at_once),
       m_visitor(visitor),
       m_may_continue(std::move(may_continue))
@@ -71,7 +70,7 @@ public:
                          "order");
     m_number_of_choices += choices.size();
     std::vector<Minimized_map> maps(choices.size());
-    m_team(
+    Thread_team::current()(
         choices.size(),
         [&](std::size_t i) {
           if(may_continue())
@@ -157,7 +156,6 @@ private:
 
   Worker_pool<Map_minimizer::Comparing_worker> m_workers;
   const Border_walk m_loop;
-  Thread_team m_team;
   std::size_t m_most_at_once;
   Search_visitor* m_visitor;
   std::function<bool()> m_may_continue;

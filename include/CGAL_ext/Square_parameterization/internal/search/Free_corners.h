@@ -30,12 +30,12 @@ class Free_corners
 public:
   /// \param may_map asked before each map of the patch, \p may_compare before each map of a coarse patch, by one thread
   ///        at a time; `false` stops
-  Free_corners(const Patch& patch, const Map_minimizer& minimizer, unsigned int number_of_threads,
-               Search_visitor* visitor, const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
+  Free_corners(const Patch& patch, const Map_minimizer& minimizer, Search_visitor* visitor,
+               const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
     : m_patch(patch),
       m_has_sketched_candidates(minimizer.has_sketches()),
-      m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, number_of_threads,
-             visitor, may_map, most_maps_at_once(patch.number_of_vertices()))
+      m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, visitor, may_map,
+             most_maps_at_once(patch.number_of_vertices()))
   {
     // sketches tell corners apart better than rough maps, also where they save too little to compare all candidates, and
     // where they are maps of the patch itself
@@ -43,11 +43,9 @@ public:
     const int border = static_cast<int>(patch.border.size());
     const bool is_sketched = n > Minimizer_numbers::LARGEST_SKETCH || Minimizer_numbers::moves_corners_twice(n, border);
     if(minimizer.has_rough_maps() && is_sketched)
-      m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, number_of_threads, visitor,
-                         may_compare);
+      m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, visitor, may_compare);
     if(minimizer.has_rough_maps())
-      m_rough_maps.emplace([&minimizer] { return minimizer.make_first_moves_worker(); }, patch, number_of_threads,
-                           visitor, may_compare);
+      m_rough_maps.emplace([&minimizer] { return minimizer.make_first_moves_worker(); }, patch, visitor, may_compare);
   }
 
   /// the objectives of choices of corners; see `Corner_search_problem`

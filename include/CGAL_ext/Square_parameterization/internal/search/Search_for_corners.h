@@ -57,13 +57,11 @@ public:
       m_number_of_candidates(search.candidate_set() == Candidate_set::FULL ? m_walk.size()
                                                                            : number_of_quarter_candidates(m_walk)),
       m_evaluation(
-          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); },
-          options.number_of_threads, options.visitor,
+          m_number_of_candidates, [this] { return for_candidates(m_minimizer.make_worker()); }, options.visitor,
           [this](double share) { return may_continue(share, m_options.deadline); },
           most_maps_at_once(patch.number_of_vertices())),
       m_corners(
-          patch, minimizer, options.number_of_threads, options.visitor,
-          [this] { return may_continue(1, m_options.deadline); },
+          patch, minimizer, options.visitor, [this] { return may_continue(1, m_options.deadline); },
           // while nothing is mapped, time is left for that
           [this] { return may_continue(1, has_map() ? m_options.deadline : m_sketch_deadline); })
   {
@@ -71,7 +69,7 @@ public:
     if(minimizer.has_sketches())
       m_sketches.emplace(
           m_number_of_candidates, [this] { return for_candidates(below_limit(m_minimizer.make_sketching_worker())); },
-          options.number_of_threads, &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
+          &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 
   Search_outcome operator()()

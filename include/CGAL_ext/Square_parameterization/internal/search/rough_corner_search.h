@@ -56,8 +56,7 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
   return best.corners;
 }
 
-/// a search for the corners in less than half of the time of `search_corners()`, by one thread: rough maps alone are
-/// compared, and the best choice is mapped to the tolerance of a search. Without uv when that has no map, or the deadline has
+/// a search for the corners in less than half of the work of `search_corners()`: rough maps alone are compared, and the best choice is mapped to the tolerance of a search. Without uv when that has no map, or the deadline has
 /// passed.
 /// \param moves_corners see `Square_search_options`
 /// \pre `minimizer.has_rough_maps()`
@@ -66,9 +65,9 @@ inline Minimized_map search_corners_roughly(const Patch& patch, const Map_minimi
 {
   const auto is_in_time = [&deadline] { return !has_passed(deadline); };
   try {
-    Corner_evaluation rough_maps([&minimizer] { return minimizer.make_rough_worker(); }, patch, 1, nullptr, is_in_time);
+    Corner_evaluation rough_maps([&minimizer] { return minimizer.make_rough_worker(); }, patch, nullptr, is_in_time);
     const Corners corners = best_rough_corners(patch, moves_corners, rough_maps);
-    Corner_evaluation maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, 1,
+    Corner_evaluation maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch,
                            nullptr, is_in_time);
     maps({corners}, {rough_maps.warm_start(corners)});
     return maps.best_map();

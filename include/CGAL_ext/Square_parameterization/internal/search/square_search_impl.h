@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SQUARE_SEARCH_IMPL_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SEARCH_SQUARE_SEARCH_IMPL_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Search_for_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
@@ -27,6 +28,8 @@ CGAL_EXT_INLINE_FUNCTION Search_outcome search_square_map(const Patch& patch, co
                                                           const Corner_search& search,
                                                           const Square_search_options& options)
 {
+  Thread_team team(options.number_of_threads);
+  const Thread_team::Scope scope(team);
   Search_outcome outcome = search_corners(patch, minimizer, search, options);
   finish_map(minimizer, options.visitor, outcome);
   return outcome;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "On_threads.h"
+#include "make_patch_of.h"
 #include "search_curve.h"
 #include "test_meshes.h"
+
+#include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 
 #include <catch2/catch.hpp>
 
@@ -152,6 +155,46 @@ TEST_CASE("the memory of the threads can be freed, and the best map stays")
   evaluation.release_workers();
   CHECK(memory.use_count() == 1);
   CHECK(evaluation.best_map().uv(0, 0) == 5);
+}
+
+namespace {
+
+/// waits until three threads have come to it, or, in vain, for long; tells which
+bool meets_two_others(std::atomic<int>& met)
+{
+  ++met;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while(met < 3 && std::chrono::steady_clock::now() < end)
+    std::this_thread::yield();
+  return met >= 3;
+}
+
+} // namespace
+
+TEST_CASE("candidates and choices of corners are mapped by all threads of the current team")
+{
+  const On_threads three(3);
+  std::atomic<int> met{0}, together{0};
+  const auto make_worker = [&]() -> Candidate_evaluation::Worker {
+    return [&](int, const internal::Uv_coordinates*) {
+      together += meets_two_others(met) ? 1 : 0;
+      return internal::Minimized_map();
+    };
+  };
+  Candidate_evaluation(3, make_worker, nullptr, {})({0, 1, 2});
+  CHECK(together == 3);
+
+  met = together = 0;
+  const Patch patch = make_patch_of(unit_square(1));
+  const auto make_comparing_worker = [&]() -> internal::Map_minimizer::Comparing_worker {
+    return [&](const internal::Uv_coordinates&, const internal::Uv_coordinates*, double) {
+      together += meets_two_others(met) ? 1 : 0;
+      return internal::Minimized_map();
+    };
+  };
+  internal::Corner_evaluation evaluation(make_comparing_worker, patch, nullptr, [] { return true; });
+  evaluation({{0, 1, 2, 3}, {1, 2, 3, 0}, {2, 3, 0, 1}});
+  CHECK(together == 3);
 }
 
 TEST_CASE("of large surfaces few maps are under way at a time")

@@ -10,7 +10,6 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_edges.h>
 
 #include <catch2/catch.hpp>
 

@@ -153,14 +153,19 @@ TEST_CASE("starts that share coarse patches lead to the maps to which each leads
   const Corners corners = GENERATE_COPY(Corners{0, quarter, 2 * quarter, 3 * quarter}, Corners{0, 1, 2, 3});
   const auto first = make_minimizer(patch, Balanced_minimization());
   const std::vector<Other_start> sharing = other_starts(patch, {}, {}, first.get());
+  bool has_whole_border = false;
   for(std::size_t i = 0; i < sharing.size(); ++i) {
     const Other_start alone = other_starts(patch, {}, {})[i];
     const Search_outcome a = map_with_corners(patch, *alone.make_minimizer(), corners);
     const Search_outcome b = map_with_corners(patch, *sharing[i].make_minimizer(), corners);
     CHECK(alone.start == sharing[i].start);
+    REQUIRE(a.map.uv.rows() == patch.number_of_vertices());
+    REQUIRE(b.map.uv.rows() == patch.number_of_vertices());
     CHECK(a.map.uv == b.map.uv);
     CHECK(a.work == b.work);
+    has_whole_border = has_whole_border || (a.map.warm_start.rows() == 0 && b.map.warm_start.rows() == 0);
   }
+  CHECK(has_whole_border == (is_large && corners[3] == 3)); // only these are mapped by patches with the whole border
 }
 
 TEST_CASE("a border that is fixed first slides in the end, to the map of the usual start")

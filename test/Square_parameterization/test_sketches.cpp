@@ -1,12 +1,14 @@
 // Copyright (c) 2026 The CGAL_ext authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Thread_watcher.h"
 #include "closed_meshes.h"
 #include "mapped_patches.h"
 #include "search_curve.h"
 
 #include <CGAL_ext/Square_parameterization/Balanced_minimization.h>
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
+#include <CGAL_ext/Square_parameterization/corner_searches.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
@@ -164,6 +166,20 @@ TEST_CASE("a search over a large patch makes sketches, and the same for any numb
   const Search_outcome three = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
   CHECK(three.map.uv == one.map.uv);
   CHECK(three.report.sketches == one.report.sketches);
+}
+
+TEST_CASE("a search that has no team has as many threads as its options say")
+{
+  const Patch patch = make_patch_of(unit_square(6));
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  for(std::size_t threads : {1u, 2u}) {
+    Thread_watcher watcher;
+    Square_search_options options;
+    options.number_of_threads = static_cast<unsigned int>(threads);
+    options.visitor = &watcher;
+    search_square_map(patch, *minimizer, Brute_force_corner_search(), options);
+    CHECK(watcher.threads.size() == threads);
+  }
 }
 
 TEST_CASE("a search may be cancelled while it makes sketches")

@@ -4,6 +4,7 @@
 // What a user may plug in: searches, base weights, solvers, visitors and callbacks, each written from its page in the
 // reference alone.
 
+#include "Thread_watcher.h"
 #include "make_patch_of.h"
 #include "mesh_types.h"
 #include "square_map_case.h"
@@ -27,6 +28,7 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -304,6 +306,27 @@ TEST_CASE("the visitor of the border is told of the search and, after it, of the
   };
   check_told([](const Border& border) { return Stretch_minimizing_parameterizer_3<Surface_mesh, Border>(border); });
   check_told([](const Border& border) { return Stretch_optimal_parameterizer_3<Surface_mesh, Border>(border); });
+}
+
+TEST_CASE("candidates are mapped by as many threads as the options say")
+{
+  typedef Brute_force_square_border_parameterizer_3<Surface_mesh> Border;
+  Surface_mesh mesh = bent_mesh();
+  const Uv_map uvmap = mesh.add_property_map<vertex_descriptor, Point_2>("v:uv").first;
+  for(std::size_t threads : {1u, 2u}) {
+    Thread_watcher of_border, of_map;
+    Square_search_options options;
+    options.number_of_threads = static_cast<unsigned int>(threads);
+    options.visitor = &of_border;
+    std::map<vertex_descriptor, bool> marks;
+    const auto bhd = first_border_halfedge_of(mesh);
+    REQUIRE(Border({}, options).parameterize(mesh, bhd, uvmap, 0, boost::make_assoc_property_map(marks)) == SMP::OK);
+    options.visitor = &of_map;
+    const Stretch_minimizing_parameterizer_3<Surface_mesh, Border> parameterizer(Border({}, options));
+    REQUIRE(SMP::parameterize(mesh, parameterizer, bhd, uvmap) == SMP::OK);
+    CHECK(of_border.threads.size() == threads);
+    CHECK(of_map.threads.size() == threads);
+  }
 }
 
 TEST_CASE("the callback stops the search: the best so far is delivered, and without a map nothing")

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Hybrid_corner_search.h>
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_iteration_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/write_uv.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>

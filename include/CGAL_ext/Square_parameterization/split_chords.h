@@ -8,7 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/common/named_parameters.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Mesh_edges.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/apply_edits.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_edges.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/split_edges.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -16,6 +16,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -75,10 +76,10 @@ std::size_t split_chords(TriangleMesh& mesh, const NamedParameters& np = NamedPa
       CP::choose_parameter(CP::get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
   const TriangleMesh& const_mesh = mesh;
   auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
-  const internal::Triangle_surface surface = internal::make_triangle_surface(arrays.points, arrays.triangles);
+  const internal::Numbered_triangles surface(static_cast<int>(arrays.points.size()), std::move(arrays.triangles));
   internal::Surface_edits edits;
   for(int e : internal::chords_of(surface, which))
-    edits.splits.push_back(surface.edges[e]);
+    edits.splits.push_back(surface.numbering.edges[e]);
   internal::apply_edits(edits, mesh, vpm, vertex_list);
   return edits.splits.size();
 }
@@ -121,18 +122,19 @@ std::size_t split_seam_chords(TriangleMesh& mesh, SeamEdgeMap seam_edges, SeamVe
       CP::choose_parameter(CP::get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
   const TriangleMesh& const_mesh = mesh;
   auto [arrays, vertex_list] = internal::read_faces(const_mesh, faces(const_mesh), vpm);
-  const internal::Triangle_surface surface = internal::make_triangle_surface(arrays.points, arrays.triangles);
-  const internal::Mesh_edges<TriangleMesh> mesh_edges(const_mesh, vertex_list, surface.edges);
+  const internal::Numbered_triangles surface(static_cast<int>(arrays.points.size()), std::move(arrays.triangles));
+  const internal::Mesh_edges<TriangleMesh> mesh_edges(const_mesh, vertex_list, surface.numbering.edges);
   const std::size_t uncut = vertex_list.size();
   std::vector<bool> is_seam_vertex;
   for(auto v : vertex_list)
     is_seam_vertex.push_back(get(seam_vertices, v));
+  const std::vector<bool> is_border_vertex = internal::border_vertices(surface);
   const std::vector<int> chords = internal::chords_of(
-      surface, Chords::ALL, [&](int v) { return is_seam_vertex[v] || surface.is_border_vertex[v]; },
+      surface, Chords::ALL, [&](int v) { return is_seam_vertex[v] || is_border_vertex[v]; },
       [&](int e) { return get(seam_edges, mesh_edges[e]) || surface.is_border_edge(e); });
   internal::Surface_edits edits;
   for(int e : chords)
-    edits.splits.push_back(surface.edges[e]);
+    edits.splits.push_back(surface.numbering.edges[e]);
   internal::apply_edits(edits, mesh, vpm, vertex_list);
   for(std::size_t k = uncut; k < vertex_list.size(); ++k) {
     put(seam_vertices, vertex_list[k], false);

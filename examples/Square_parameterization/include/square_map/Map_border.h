@@ -35,11 +35,8 @@ public:
   Map_border(const Flat_map& map, const Job& job)
   {
     using namespace CGAL_ext::internal;
-    Surface_arrays arrays;
-    arrays.points = map.points;
-    arrays.triangles = map.triangles;
     const int first = static_cast<int>(job.result.corners[0].idx());
-    m_vertices = border_from(first, arrays, number_edges(map.points.size(), map.triangles));
+    m_vertices = border_from(first, map.points.size(), map.triangles, number_edges(map.points.size(), map.triangles));
     std::vector<int> originals;
     Corners corners{};
     for(std::size_t k = 0; k < m_vertices.size(); ++k) {

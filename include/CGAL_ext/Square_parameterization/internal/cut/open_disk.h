@@ -7,8 +7,10 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_open.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Surface_edits.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/split_surface_edges.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/make_disk_patch.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/split_edges.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,7 +22,7 @@ namespace internal {
 /// a surface that has been made a disk ready to be mapped, and how
 struct Opened_disk
 {
-  Triangle_surface surface;
+  Numbered_triangles triangles;
   Surface_edits edits;
 };
 
@@ -32,21 +34,6 @@ inline std::vector<Eigen::Vector3d> points_after(const Surface_edits& edits, std
   for(const auto& [a, b] : edits.splits)
     points.push_back(Eigen::Vector3d(points[a] / 2 + points[b] / 2));
   return points;
-}
-
-/// the surface cut open, with adjacency of its own
-inline Triangle_surface opened_surface(Triangle_surface surface, const Surface_edits& edits)
-{
-  return edits.seams.empty() ? std::move(surface)
-                             : make_triangle_surface(points_after(edits, std::move(surface.points)), edits.opened);
-}
-
-/// splits edges of the disk at their midpoints
-inline void split_edges(const std::vector<int>& edges, Opened_disk& disk)
-{
-  for(int e : edges)
-    disk.edits.splits.push_back(disk.surface.edges[e]);
-  disk.surface = split_surface_edges(std::move(disk.surface), edges);
 }
 
 /// the edits that cut a surface open
@@ -63,37 +50,52 @@ inline Surface_edits cut_edits(const Triangle_surface& surface, const Cut& cut)
   return edits;
 }
 
+/// the triangles of the surface when it is cut open
+inline Numbered_triangles opened_triangles(const Triangle_surface& surface, const Surface_edits& edits)
+{
+  const int vertices = surface.number_of_vertices() + static_cast<int>(edits.copies.size());
+  return edits.seams.empty() ? Numbered_triangles(vertices, surface.triangles, numbering_of(surface))
+                             : Numbered_triangles(vertices, edits.opened);
+}
+
+/// splits edges of the disk at their midpoints
+inline void split_edges(const std::vector<int>& edges, Opened_disk& disk)
+{
+  for(int e : edges)
+    disk.edits.splits.push_back(disk.triangles.numbering.edges[e]);
+  disk.triangles = split_edges(std::move(disk.triangles), edges);
+}
+
 /// cuts the surface open, gives a border of three edges a fourth, and splits chords
 /// \pre the complement of the cut is a disk
-inline Opened_disk open_disk(Triangle_surface surface, const Cut& cut, Chords chords)
+inline Opened_disk open_disk(const Triangle_surface& surface, const Cut& cut, Chords chords)
 {
-  Opened_disk disk{std::move(surface), {}};
-  disk.edits = cut_edits(disk.surface, cut);
-  disk.surface = opened_surface(std::move(disk.surface), disk.edits);
-  if(const std::optional<int> longest = border_edge_to_split(disk.surface)) {
+  Surface_edits edits = cut_edits(surface, cut);
+  Opened_disk disk{opened_triangles(surface, edits), std::move(edits)};
+  const auto points = [&] { return points_after(disk.edits, surface.points); };
+  if(const std::optional<int> longest = border_edge_to_split(disk.triangles, points)) {
     split_edges({*longest}, disk);
     disk.edits.border_splits = 1;
   }
-  split_edges(chords_of(disk.surface, chords), disk);
+  split_edges(chords_of(disk.triangles, chords), disk);
   return disk;
 }
 
 /// the disk as a patch with the given points; its border begins at the lowest border vertex. Throws `Unmappable` as
 /// `make_patch()`, also for a sphere that is cut along one edge alone: its border of two vertices is none.
-inline Patch patch_of_disk(Triangle_surface disk, std::vector<Eigen::Vector3d> points)
+inline Patch patch_of_disk(Numbered_triangles disk, std::vector<Eigen::Vector3d> points)
 {
-  Edge_numbering numbering = numbering_of(disk);
-  return make_patch(std::move(points), std::move(disk.triangles),
-                    disk.border_loops.empty() ? std::vector<int>() : std::move(disk.border_loops.front()),
-                    std::move(numbering));
+  const std::vector<int> border_edges = disk.border_edges();
+  const int lowest = border_edges.empty() ? -1 : disk.numbering.edges[border_edges.front()][0];
+  std::vector<int> border = border_from(lowest, points.size(), disk.triangles, disk.numbering);
+  return make_patch(std::move(points), std::move(disk.triangles), std::move(border), std::move(disk.numbering));
 }
 
 /// the patch that the surface is with a cut
 inline Patch patch_of_cut(const Triangle_surface& surface, const Cut& cut)
 {
   Opened_disk disk = open_disk(surface, cut, Chords::ALL);
-  std::vector<Eigen::Vector3d> points = std::move(disk.surface.points);
-  return patch_of_disk(std::move(disk.surface), std::move(points));
+  return patch_of_disk(std::move(disk.triangles), points_after(disk.edits, surface.points));
 }
 
 } // namespace internal

@@ -30,7 +30,8 @@ public:
                                std::make_shared<Shared_levels>(patch, minimization, deadline, coarsening))
   {}
 
-  /// on patches that other minimizers use, too
+  /// on coarse patches that other minimizers use, too
+  /// \pre these were made of the patch, with the same minimization but for the start, and with the same deadline
   Coarse_to_fine_minimizer(const Patch& patch, const Balanced_minimization& minimization, const Deadline& deadline,
                            std::shared_ptr<Shared_levels> levels)
     : m_patch(patch),

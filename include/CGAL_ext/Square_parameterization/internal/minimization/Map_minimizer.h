@@ -70,8 +70,8 @@ public:
   ///        its objective is then about what it would come to
   virtual Minimized_map finish(Minimized_map map, double limit = NO_LIMIT) const = 0;
 
-  /// the same on the same coarse patches, but for the weights and the iteration of first maps. Null when there are no coarse
-  /// patches.
+  /// a minimizer that does the same on the same coarse patches, but for the weights and the iteration of first maps. Null when
+  /// there are no coarse patches.
   virtual std::shared_ptr<const Map_minimizer> with_first_maps(const Stretch_minimization& start) const = 0;
 
   /// maps for one border (#B by 2) that is any convex polygon, also a clockwise one: then through its mirror image

@@ -31,8 +31,8 @@ namespace internal {
 /// that do not keep the shape of the surface, down to one whose first map is sound: all that is needed from them is a
 /// start.
 ///
-/// Constant after construction. They depend neither on the places of the border vertices nor on how first maps are made, and
-/// serve all maps.
+/// Constant after construction. The patches and their minimizers depend neither on the places of the border vertices nor on
+/// how first maps are made, and serve all maps.
 class Minimizer_levels
 {
 public:

@@ -20,6 +20,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -69,7 +70,7 @@ inline bool do_agree(const Search_outcome& a, const Search_outcome& b)
 /// tries the other starts until one is not poor; when there is a map, until all have cost too much, or will with the
 /// next, but `least_other_starts()` in any case, or one agrees with the best. Where the first has a map and has cost too
 /// much, there are none. `finish_map()` is to follow.
-/// \param minimizer of the first start
+/// \param minimizer of the first start, made of the patch by `make_minimizer()` with the settings
 /// \param best the outcome of the first start; it becomes the best of all, with the work of all
 /// \return where the best began
 inline Map_start try_other_starts(const Patch& patch, const Map_minimizer& minimizer,
@@ -87,11 +88,14 @@ inline Map_start try_other_starts(const Patch& patch, const Map_minimizer& minim
   double work = best.work;
   int others = 0;
   bool is_cancelled = false, is_enough = false;
-  for(const Other_start& other : other_starts(patch, *balanced, deadline, &minimizer)) {
+  std::vector<Other_start> starts = other_starts(patch, *balanced, deadline, &minimizer);
+  for(Other_start& other : starts) {
     if(!is_poor(best, least_poor_objective(vertices)) || (has_map(best) && is_enough) || is_cancelled ||
        has_passed(deadline))
       break;
-    Search_outcome next = map_from_start(patch, *other.make_minimizer(), corners, settings);
+    // the last of those that share coarse patches frees their memory
+    const auto make_minimizer_once = std::exchange(other.make_minimizer, nullptr);
+    Search_outcome next = map_from_start(patch, *make_minimizer_once(), corners, settings);
     is_cancelled = next.report.is_cancelled;
     work += next.work;
     ++others;

@@ -185,10 +185,11 @@ inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3
 {
   const auto condition_start = Clock::now();
   const int surface_vertices = surface.number_of_vertices();
-  Opened_disk disk = open_disk(std::move(surface), cut, settings.chords);
+  Opened_disk disk = open_disk(surface, cut, settings.chords);
+  surface = Triangle_surface(); // its memory is for the map
   report.border_edges_split = disk.edits.border_splits;
   report.chords_split = disk.edits.splits.size() - disk.edits.border_splits;
-  Patch patch = patch_of_disk(std::move(disk.surface), points_after(disk.edits, std::move(points)));
+  Patch patch = patch_of_disk(std::move(disk.triangles), points_after(disk.edits, std::move(points)));
   report.border_edges = patch.border.size();
   report.degenerate_faces = patch.degenerate_faces.size();
   std::optional<Corners> corners;

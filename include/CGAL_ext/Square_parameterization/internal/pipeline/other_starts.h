@@ -57,7 +57,8 @@ inline std::vector<Other_weights> other_weights(const Balanced_minimization& cho
 class Minimizers_by_weights
 {
 public:
-  /// \param other one of them that there is already; null to make the first when it is asked for
+  /// \param other one of them that there is already, made of this patch with all that follows but for the weights; null to
+  ///        make the first when it is asked for
   Minimizers_by_weights(const Patch& patch, Balanced_minimization minimization, const Deadline& deadline,
                         Coarsening coarsening, const Map_minimizer* other)
     : m_patch(patch),
@@ -90,7 +91,8 @@ private:
 /// other weights are the first, as they are seldom lost on the same surface; in small steps most maps are found that are
 /// lost in rounding whatever the weights, and these take the place of the first where few starts can be tried. With a fixed
 /// border, the last, halves are tried alone: most of what is left is lost in small steps either way.
-/// \param first the minimizer of the start of the options, which must live as long; null to make its coarse patches again
+/// \param first the minimizer of the start of the options, made of the patch with `chosen` and `deadline`, which must live as
+///        long; null to make its coarse patches again
 inline std::vector<Other_start> other_starts(const Patch& patch, const Balanced_minimization& chosen,
                                              const Deadline& deadline, const Map_minimizer* first = nullptr)
 {

@@ -49,8 +49,8 @@ inline void check_candidate(int candidate, int number_of_candidates)
                          "; the candidates are 0 to " + std::to_string(number_of_candidates - 1));
 }
 
-/// maps candidates concurrently, by the threads of the current team, each at most once, and keeps their objectives and the best
-/// map.
+/// maps candidates concurrently, by the threads of the current team, each at most once, and keeps their objectives and the
+/// best map.
 ///
 /// The result does not depend on the number of threads: what the maps of a call start from is chosen before the call
 /// begins, among the maps of earlier calls, and among equal objectives the lowest candidate wins. Memory: one map, one

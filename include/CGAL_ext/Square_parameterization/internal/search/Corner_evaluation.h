@@ -38,7 +38,7 @@ struct Corner_choice
 };
 
 /// maps a patch for choices of four corners, concurrently, by the threads of the current team, and keeps the best map; the
-/// result is the same for any number of threads
+/// result is the same for any number of them
 class Corner_evaluation
 {
 public:

@@ -56,8 +56,8 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
   return best.corners;
 }
 
-/// a search for the corners in less than half of the work of `search_corners()`: rough maps alone are compared, and the best choice is mapped to the tolerance of a search. Without uv when that has no map, or the deadline has
-/// passed.
+/// a search for the corners in less than half of the work of `search_corners()`: rough maps alone are compared, and the
+/// best choice is mapped to the tolerance of a search. Without uv when that has no map, or the deadline has passed.
 /// \param moves_corners see `Square_search_options`
 /// \pre `minimizer.has_rough_maps()`
 inline Minimized_map search_corners_roughly(const Patch& patch, const Map_minimizer& minimizer, bool moves_corners,

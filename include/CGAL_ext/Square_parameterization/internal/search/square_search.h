@@ -22,8 +22,8 @@ inline void check_corner_search(const Corner_search& search)
 }
 
 /// searches the corners of the square among the candidates of \p search and maps the patch for the best of them, as well
-/// as comparing needs, with the threads of the current team: `finish_map()` is to follow. Throws `Unmappable` for a strategy with a number out of range, that
-/// asks for a candidate that does not exist, or for none.
+/// as comparing needs, with the threads of the current team: `finish_map()` is to follow. Throws `Unmappable` for a
+/// strategy with a number out of range, that asks for a candidate that does not exist, or for none.
 /// \param work_factor times the work of an ordinary search that a strategy may take that ends early where maps cost much
 Search_outcome search_corners(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
                               const Square_search_options& options, double work_factor = 1);
@@ -38,7 +38,7 @@ Search_outcome map_with_corners(const Patch& patch, const Map_minimizer& minimiz
 void finish_map(const Map_minimizer& minimizer, Search_visitor* visitor, Search_outcome& outcome,
                 double limit = Map_minimizer::NO_LIMIT);
 
-/// `search_corners()` and `finish_map()`, with as many threads as the options say
+/// `search_corners()` and `finish_map()` for callers that have no team: with as many threads as the options say
 Search_outcome search_square_map(const Patch& patch, const Map_minimizer& minimizer, const Corner_search& search,
                                  const Square_search_options& options);
 

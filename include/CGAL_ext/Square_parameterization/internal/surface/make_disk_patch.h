@@ -7,6 +7,8 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Surface_arrays.h>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -15,7 +17,9 @@ namespace CGAL_ext {
 namespace internal {
 
 /// the border of a disk, counter-clockwise from \p start on. Throws `Unmappable` when that is not all of the border.
-std::vector<int> border_from(int start, const Surface_arrays& mesh, const Edge_numbering& numbering);
+/// \param start -1 for a surface without border, which is none then
+std::vector<int> border_from(int start, std::size_t number_of_vertices,
+                             const std::vector<std::array<int, 3>>& triangles, const Edge_numbering& numbering);
 
 /// makes a patch of one component of a mesh that is a disk; the border begins at vertex \p start.
 ///

@@ -17,15 +17,16 @@
 namespace CGAL_ext {
 namespace internal {
 
-CGAL_EXT_INLINE_FUNCTION std::vector<int> border_from(int start, const Surface_arrays& mesh,
+CGAL_EXT_INLINE_FUNCTION std::vector<int> border_from(int start, std::size_t number_of_vertices,
+                                                      const std::vector<std::array<int, 3>>& triangles,
                                                       const Edge_numbering& numbering)
 {
-  std::vector<int> next(mesh.points.size(), -1);
+  std::vector<int> next(number_of_vertices, -1);
   std::size_t border_edges = 0;
-  for(std::size_t f = 0; f < mesh.triangles.size(); ++f)
+  for(std::size_t f = 0; f < triangles.size(); ++f)
     for(int k = 0; k < 3; ++k)
       if(numbering.number_of_triangles[numbering.triangle_edges[f][k]] == 1) {
-        next[mesh.triangles[f][(k + 1) % 3]] = mesh.triangles[f][(k + 2) % 3];
+        next[triangles[f][(k + 1) % 3]] = triangles[f][(k + 2) % 3];
         ++border_edges;
       }
   std::vector<int> border;
@@ -42,7 +43,7 @@ CGAL_EXT_INLINE_FUNCTION Patch make_disk_patch(Surface_arrays mesh, int start)
   check_faces(mesh);
   Edge_numbering numbering = number_edges(mesh.points.size(), mesh.triangles);
   check_edges(mesh, numbering);
-  std::vector<int> border = border_from(start, mesh, numbering);
+  std::vector<int> border = border_from(start, mesh.points.size(), mesh.triangles, numbering);
   const long euler =
       static_cast<long>(mesh.points.size() + mesh.triangles.size()) - static_cast<long>(numbering.edges.size());
   if(euler != 1)

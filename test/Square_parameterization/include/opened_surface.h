@@ -14,7 +14,9 @@ inline CGAL_ext::internal::Triangle_surface opened_surface(const CGAL_ext::inter
                                                            const CGAL_ext::internal::Cut& cut)
 {
   const CGAL_ext::internal::Surface_edits edits = CGAL_ext::internal::cut_edits(surface, cut);
-  return edits.seams.empty() ? surface : make_triangle_surface(points_after(edits, surface.points), edits.opened);
+  return edits.seams.empty()
+             ? surface
+             : CGAL_ext::internal::make_triangle_surface(points_after(edits, surface.points), edits.opened);
 }
 
 inline CGAL_ext::internal::Numbered_triangles numbered(const CGAL_ext::internal::Triangle_surface& surface)
@@ -28,7 +30,8 @@ inline CGAL_ext::internal::Triangle_surface with_edges_split(const CGAL_ext::int
   CGAL_ext::internal::Surface_edits edits;
   for(int e : edges)
     edits.splits.push_back(surface.edges[e]);
-  return make_triangle_surface(points_after(edits, surface.points), split_edges(numbered(surface), edges).triangles);
+  return CGAL_ext::internal::make_triangle_surface(points_after(edits, surface.points),
+                                                   split_edges(numbered(surface), edges).triangles);
 }
 
 inline CGAL_ext::internal::Triangle_surface without_chords(const CGAL_ext::internal::Triangle_surface& surface)

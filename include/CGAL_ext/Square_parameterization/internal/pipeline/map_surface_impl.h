@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Cut_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/measure.h>

@@ -14,7 +14,9 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
+#include <CGAL_ext/Square_parameterization/internal/search/Free_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/search/rough_corner_search.h>
+#include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 
 #include <catch2/catch.hpp>
@@ -123,6 +125,22 @@ TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred ha
   const auto map_for = minimizer->make_rough_worker();
   for(const Uv_coordinates& border_uv : spread_borders(patch, 4))
     CHECK(map_for(border_uv, nullptr, std::numeric_limits<double>::infinity()).report.objective > 0);
+}
+
+TEST_CASE("corners do not move where a map that has cost much is told to cost as much as the rough maps")
+{
+  const auto is_too_costly = [](const Patch& patch, double share_of_most) {
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    const Free_corners corners(
+        patch, *minimizer, nullptr, [] { return true; }, [] { return true; });
+    Minimized_map map;
+    map.work = static_cast<long>(share_of_most * most_moving_work(true, patch.number_of_vertices()));
+    return corners.is_too_costly(map);
+  };
+  const Patch small = make_patch_of(noisy_height_field(8)), large = make_patch_of(noisy_height_field(40));
+  CHECK(is_too_costly(small, 1.1)); // its rough maps are maps of the patch itself
+  CHECK_FALSE(is_too_costly(small, 0.9));
+  CHECK_FALSE(is_too_costly(large, 1.1));
 }
 
 TEST_CASE("a developable strip is mapped without stretch onto its rectangle")

@@ -144,7 +144,7 @@ private:
     for(const Eigen::RowVector2d& p : m_ring_uv)
       mean += p / m_ring_uv.size();
     const Eigen::RowVector2d position = m_uv.row(v);
-    m_uv.row(v) = point_in_kernel(m_ring_uv).value_or(mean);
+    m_uv.row(v) = point_in_kernel(m_ring_uv, m_kernel).value_or(mean);
     long before = 0, after = 0;
     m_is_bad_now.clear();
     for(int f : m_star[v]) {
@@ -167,6 +167,7 @@ private:
   std::vector<bool> m_is_bad;                // per triangle
   std::vector<bool> m_is_found;              // per vertex, while vertices are collected
   std::vector<Eigen::RowVector2d> m_ring_uv; // memory of `move()`
+  Convex_polygon m_kernel;                   // the same
   std::vector<bool> m_is_bad_now;            // the same: per triangle of a star
   long m_work = 0;
 };

@@ -65,6 +65,8 @@ public:
     return comparing_worker(m_minimizer.first_moves_level());
   }
 
+  bool has_first_moves_on_patch() const override { return m_minimizer.first_moves_level() == 0; }
+
   Minimized_map finish(Minimized_map map, double limit) const override
   {
     if(map.uv.rows() == 0)

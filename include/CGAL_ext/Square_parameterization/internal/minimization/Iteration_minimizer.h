@@ -40,6 +40,7 @@ public:
   Comparing_worker make_sketching_worker() const override { return {}; }
   Comparing_worker make_rough_worker() const override { return {}; }
   Comparing_worker make_first_moves_worker() const override { return {}; }
+  bool has_first_moves_on_patch() const override { return false; }
   bool has_rough_maps() const override { return false; }
 
   /// a map of a worker is ready

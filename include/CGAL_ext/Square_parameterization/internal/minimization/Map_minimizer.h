@@ -62,6 +62,9 @@ public:
   /// the same on the patch on which corners are moved first, which may be smaller. \pre `has_rough_maps()`
   virtual Comparing_worker make_first_moves_worker() const = 0;
 
+  /// indicates whether that is the patch itself: it is small, or has no coarse ones of its shape, and a map may cost much
+  virtual bool has_first_moves_on_patch() const = 0;
+
   /// indicates whether the minimizer has coarse patches
   virtual bool has_rough_maps() const = 0;
 

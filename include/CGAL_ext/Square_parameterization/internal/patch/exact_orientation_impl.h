@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
@@ -57,12 +58,55 @@ struct Rounded_twice_area
   double value, magnitude;
 };
 
+/// a sum of two numbers of which the second is what rounding loses of the first
+struct Exact_sum
+{
+  Exact_sum(double a, double b) : value(a + b)
+  {
+    const double from_b = value - a;
+    rest = (a - (value - from_b)) + (b - from_b); // Knuth 1969
+  }
+
+  double value, rest;
+};
+
+/// a product, as two such numbers. \pre it is 0, or at least `MAGNITUDE_WITHOUT_UNDERFLOW`
+struct Exact_product
+{
+  Exact_product(double a, double b) : value(a * b), rest(std::fma(a, b, -value)) {}
+
+  double value, rest;
+};
+
+/// the sign of the area of a triangle whose sides are floating-point numbers, as they are where it is tiny, and where two
+/// corners coincide: what most triangles have that are flat but for rounding. Nothing where that is not so.
+inline std::optional<int> orientation_by_exact_sides(const Uv_point& p, const Uv_point& q, const Uv_point& r)
+{
+  const Exact_sum qu(q[0], -p[0]), qv(q[1], -p[1]), ru(r[0], -p[0]), rv(r[1], -p[1]);
+  if(qu.rest != 0 || qv.rest != 0 || ru.rest != 0 || rv.rest != 0)
+    return {};
+  const auto is_exact = [](double a, double b) {
+    return a == 0 || b == 0 || std::abs(a * b) >= MAGNITUDE_WITHOUT_UNDERFLOW;
+  };
+  if(!is_exact(qu.value, rv.value) || !is_exact(qv.value, ru.value))
+    return {};
+  const Exact_product left(qu.value, rv.value), right(qv.value, ru.value);
+  const Exact_sum values(left.value, -right.value), rests(left.rest, -right.rest);
+  const Exact_sum sum(values.value, rests.value);
+  if(values.rest != 0 || sum.rest != 0)
+    return {};
+  return sum.value > -rests.rest ? 1 : sum.value < -rests.rest ? -1 : 0;
+}
+
 CGAL_EXT_INLINE_FUNCTION int orientation(const Uv_point& p, const Uv_point& q, const Uv_point& r)
 {
   const Rounded_twice_area rounded(p, q, r);
   if(rounded.is_accurate(1))
     return rounded.value > 0 ? 1 : -1;
-  return are_finite(p, q, r) ? static_cast<int>(exact_twice_area(p, q, r).sign()) : 0;
+  if(!are_finite(p, q, r))
+    return 0;
+  const std::optional<int> sign = orientation_by_exact_sides(p, q, r);
+  return sign ? *sign : static_cast<int>(exact_twice_area(p, q, r).sign());
 }
 
 CGAL_EXT_INLINE_FUNCTION double accurate_twice_area(const Uv_point& p, const Uv_point& q, const Uv_point& r)

@@ -26,8 +26,13 @@ inline double twice_area(const Eigen::RowVector2d& p, const Eigen::RowVector2d& 
 class Convex_polygon
 {
 public:
-  explicit Convex_polygon(const Eigen::AlignedBox2d& box)
+  Convex_polygon() = default;
+  explicit Convex_polygon(const Eigen::AlignedBox2d& box) { become(box); }
+
+  /// becomes a box, in the memory that there is
+  void become(const Eigen::AlignedBox2d& box)
   {
+    m_corners.clear();
     for(const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
                              Eigen::AlignedBox2d::TopRight, Eigen::AlignedBox2d::TopLeft})
       m_corners.push_back(box.corner(corner).transpose());
@@ -81,12 +86,14 @@ private:
 
 /// a point well inside the kernel of a counter-clockwise polygon, the set of points that see all of it; none when the
 /// kernel is lost in rounding
-inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen::RowVector2d>& polygon)
+/// \param kernel memory of many calls
+inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen::RowVector2d>& polygon,
+                                                         Convex_polygon& kernel)
 {
   Eigen::AlignedBox2d box;
   for(const Eigen::RowVector2d& p : polygon)
     box.extend(p.transpose());
-  Convex_polygon kernel(box);
+  kernel.become(box);
   for(std::size_t i = 0; i < polygon.size(); ++i) {
     kernel.cut_off(polygon[i], polygon[(i + 1) % polygon.size()]);
     if(kernel.corners().size() < 3)
@@ -96,6 +103,13 @@ inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen
   for(const Eigen::RowVector2d& p : kernel.corners())
     center += p / static_cast<double>(kernel.corners().size());
   return center;
+}
+
+/// the same for a single call
+inline std::optional<Eigen::RowVector2d> point_in_kernel(const std::vector<Eigen::RowVector2d>& polygon)
+{
+  Convex_polygon kernel;
+  return point_in_kernel(polygon, kernel);
 }
 
 } // namespace internal

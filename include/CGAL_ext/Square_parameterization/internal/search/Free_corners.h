@@ -33,6 +33,7 @@ public:
   Free_corners(const Patch& patch, const Map_minimizer& minimizer, Search_visitor* visitor,
                const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
     : m_patch(patch),
+      m_has_first_moves_on_patch(minimizer.has_first_moves_on_patch()),
       m_has_sketched_candidates(minimizer.has_sketches()),
       m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, visitor, may_map,
              most_maps_at_once(patch.number_of_vertices()))
@@ -71,6 +72,13 @@ public:
     m_sketches.reset();
     if(m_rough_maps)
       m_rough_maps->release_workers();
+  }
+
+  /// indicates whether to move them would cost too much already with a rough map that costs as much as a map of the patch
+  bool is_too_costly(const Minimized_map& map) const
+  {
+    return m_has_first_moves_on_patch &&
+           double(map.work) > most_moving_work(map.aspect == 1, m_patch.number_of_vertices());
   }
 
   /// moves the four corners on rough maps, from the given ones and, where the rectangle is not the square, from others,
@@ -190,6 +198,7 @@ private:
   }
 
   const Patch& m_patch;
+  const bool m_has_first_moves_on_patch;
   const bool m_has_sketched_candidates;
   Corner_evaluation m_maps;
   std::optional<Corner_evaluation> m_sketches, m_rough_maps;

@@ -142,6 +142,8 @@ private:
       return false;
     if(report.best_candidate && !(report.best_objective < Minimizer_numbers::HOPELESS_RESULT))
       return false; // rough maps of such a surface tell nothing
+    if(!m_settled_for && m_corners.is_too_costly(m_evaluation.best_map()))
+      return false;
     const std::size_t maps = report.evaluations + (m_sketches ? m_sketches->report().evaluations : 0);
     return work() <= MOST_WORK_TO_MOVE * double(maps) &&
            m_corners.move(border_of(*candidate).corners, sketch_of(*candidate));

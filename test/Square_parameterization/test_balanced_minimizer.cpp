@@ -85,7 +85,7 @@ TEST_CASE("the energy of a star is that of the map but for a constant, and its s
       CHECK(star.energy(moved.row(v)) - star.energy(uv.row(v)) ==
             Approx(energy(moved) - energy(uv)).margin(1e-12 * energy(uv)));
       Eigen::RowVector2d p = uv.row(v);
-      for(int i = 0; i < 50 && star.improve(p, {true, true}) > 0; ++i) {
+      for(int i = 0; i < 50 && star.improve(p, {true, true}); ++i) {
       }
       for(int axis = 0; axis < 2; ++axis) { // stationary, by central differences
         const double h = 1e-5;
@@ -122,7 +122,7 @@ TEST_CASE("triangles that are added to a star in pairs count as those that are a
         in_pairs.add(shapes.back(), q.back(), r.back());
       Eigen::RowVector2d a = uv.row(v), b = a;
       CHECK(in_pairs.energy(a) == Approx(one_by_one.energy(a)).epsilon(1e-13));
-      CHECK(one_by_one.improve(a, {true, true}) == Approx(in_pairs.improve(b, {true, true})));
+      CHECK(one_by_one.improve(a, {true, true}) == in_pairs.improve(b, {true, true}));
       CHECK((a - b).norm() < 1e-9);
     }
 }
@@ -141,37 +141,6 @@ TEST_CASE("a sweep lowers the energy, moves only what is free, and flips nothing
         if(!is_free(k / 2, k % 2))
           CHECK(uv(k / 2, k % 2) == start(k / 2, k % 2));
     }
-}
-
-TEST_CASE("a sweep while all vertices move is a sweep over all, and one that is at rest moves again with a neighbor")
-{
-  for(const Patch& patch : patches()) {
-    const Patch_division division(patch);
-    const Vertex_sweep sweep(patch, division, 0.3);
-    Uv_coordinates all = some_map(patch), moving = all;
-    const Free_coordinates is_free = free_coordinates(patch, all, true);
-    std::vector<char> is_moving(patch.points.size(), true);
-    sweep(is_free, {1, 1}, all);
-    sweep(is_free, {1, 1}, moving, &is_moving);
-    CHECK(moving == all);
-    for(int i = 0; i < 500; ++i)
-      sweep(is_free, {1, 1}, moving, &is_moving);
-    CHECK(std::count(is_moving.begin(), is_moving.end(), true) == 0);
-    const double energy_at_rest = energy_by_definition(patch, moving, 0.3);
-    for(int i = 0; i < 500; ++i)
-      sweep(is_free, {1, 1}, all);
-    CHECK(energy_at_rest < 1.05 * energy_by_definition(patch, all, 0.3));
-
-    const int woken = patch.number_of_vertices() / 2;
-    is_moving[woken] = true;
-    const Uv_coordinates before = moving;
-    sweep(is_free, {1, 1}, moving, &is_moving);
-    CHECK(moving.row(woken) != before.row(woken));
-    int moved = 0;
-    for(int v = 0; v < patch.number_of_vertices(); ++v)
-      moved += moving.row(v) != before.row(v);
-    CHECK(moved < patch.number_of_vertices() / 4);
-  }
 }
 
 TEST_CASE("a sweep on a rectangle lowers the energy there")

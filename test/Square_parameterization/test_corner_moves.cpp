@@ -127,7 +127,7 @@ TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred ha
     CHECK(map_for(border_uv, nullptr, std::numeric_limits<double>::infinity()).report.objective > 0);
 }
 
-TEST_CASE("corners do not move where a map that has cost much is told to cost as much as the rough maps")
+TEST_CASE("corners do not move where rough maps are maps of the patch itself, and its map has cost too much")
 {
   const auto is_too_costly = [](const Patch& patch, double share_of_most) {
     const auto minimizer = make_minimizer(patch, Balanced_minimization());

@@ -123,7 +123,7 @@ private:
 
   void settle(int vertex, Eigen::RowVector2d position, const std::array<bool, 2>& is_free)
   {
-    for(int i = 0; i < Minimizer_numbers::INSERTION_STEPS && m_star.improve(position, is_free) > 0; ++i) {
+    for(int i = 0; i < Minimizer_numbers::INSERTION_STEPS && m_star.improve(position, is_free); ++i) {
     }
     m_uv.row(vertex) = position;
   }

@@ -123,14 +123,6 @@ struct Minimizer_numbers
   /// sweeps that gain less than the minimizer would in the same time.
   static constexpr double LEAST_SWEEP_GAIN = 2e-3;
 
-  /// decrease of the energy of a star by a sweep, relative, below which its vertex is at rest until a neighbor moves more, in
-  /// maps that are `HOPELESS`. Less, as 1e-4: sweeps where most faces are degenerate take half as long again. More, as 1e-2:
-  /// surfaces with spikes are left with maps stretched ten times as much.
-  static constexpr double LEAST_STAR_GAIN = 1e-3;
-
-  /// sweeps in which no vertex is at rest. Less: surfaces that need few sweeps come to other maps.
-  static constexpr int SWEEPS_BEFORE_REST = 3;
-
   /// sweeps over an interpolated map at most: a bound on the time; large errors need the mesh to move as a whole
   static constexpr int MAXIMUM_SWEEPS = 100;
 

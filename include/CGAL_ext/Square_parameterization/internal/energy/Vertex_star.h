@@ -103,25 +103,24 @@ public:
   double energy(const Eigen::RowVector2d& position) const { return energy_at(on_rectangle(position) - m_origin); }
 
   /// moves \p position by one step of Newton's method, of which the Hessian is made positive definite, to a lower
-  /// energy, along the axes that are free. Returns by how much that is lower, relative; 0 when the vertex stays.
-  double improve(Eigen::RowVector2d& position, const std::array<bool, 2>& is_free)
+  /// energy, along the axes that are free. Returns false when it stays.
+  bool improve(Eigen::RowVector2d& position, const std::array<bool, 2>& is_free)
   {
     const Eigen::RowVector2d p = on_rectangle(position) - m_origin;
     const Derivatives here = derivatives(p);
     const Eigen::RowVector2d step = newton_step(here, is_free);
     const double slope = here.gradient.dot(step);
     if(!(-slope > Minimizer_numbers::STAR_NEGLIGIBLE * here.energy))
-      return 0;
+      return false;
     double length = (std::min)(1., Minimizer_numbers::STAR_SAFETY * largest_step(step));
     for(int i = 0; i < Minimizer_numbers::MAXIMUM_STAR_HALVINGS; ++i, length /= 2) {
       const Eigen::RowVector2d moved = position + (length * step).cwiseQuotient(m_to_rectangle);
-      const double reached = energy(moved);
-      if(reached <= here.energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope) {
+      if(energy(moved) <= here.energy + Minimizer_numbers::SUFFICIENT_DECREASE * length * slope) {
         position = moved;
-        return 1 - reached / here.energy;
+        return true;
       }
     }
-    return 0;
+    return false;
   }
 
 private:

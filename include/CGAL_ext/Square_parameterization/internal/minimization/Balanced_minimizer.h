@@ -78,7 +78,7 @@ public:
   Eigen::RowVector2d scale(const Uv_coordinates& uv) const { return m_energy.scale(m_patch.in_order(uv)); }
 
   /// sweeps over a map until a sweep gains little: what an interpolated map needs before `minimize()`. Returns what it
-  /// cost, in vertices visited, or would if none came to rest before.
+  /// cost, in vertices visited.
   /// \param most the largest number of sweeps
   long relax(Uv_coordinates& given_uv, int most = Minimizer_numbers::MAXIMUM_SWEEPS) const;
 

@@ -50,10 +50,8 @@ CGAL_EXT_INLINE_FUNCTION long Balanced_minimizer::relax(Uv_coordinates& given_uv
   const Free_coordinates is_free = free_coordinates(*m_patch, uv, is_border_sliding());
   double energy = m_energy(uv);
   int sweeps = 0;
-  std::vector<char> is_moving(uv.rows(), true);
   for(bool gains = true; gains && sweeps < most; ++sweeps) {
-    const bool may_rest = sweeps >= Minimizer_numbers::SWEEPS_BEFORE_REST && energy > Minimizer_numbers::HOPELESS;
-    m_sweep(is_free, m_energy.scale(uv), uv, may_rest ? &is_moving : nullptr);
+    m_sweep(is_free, m_energy.scale(uv), uv);
     const double reached = m_energy(uv);
     gains = energy - reached >= Minimizer_numbers::LEAST_SWEEP_GAIN * energy && !has_passed(m_deadline);
     energy = reached;

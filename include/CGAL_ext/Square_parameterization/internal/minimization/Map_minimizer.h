@@ -62,7 +62,7 @@ public:
   /// the same on the patch on which corners are moved first, which may be smaller. \pre `has_rough_maps()`
   virtual Comparing_worker make_first_moves_worker() const = 0;
 
-  /// indicates whether that is the patch itself: it is small, or has no coarse ones of its shape, and a map may cost much
+  /// indicates whether that is the patch itself, which is small, or cannot be made coarser
   virtual bool has_first_moves_on_patch() const = 0;
 
   /// indicates whether the minimizer has coarse patches

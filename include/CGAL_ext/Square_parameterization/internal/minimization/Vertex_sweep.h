@@ -4,7 +4,6 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_SWEEP_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_SWEEP_H
 
-#include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Vertex_star.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
@@ -51,12 +50,9 @@ public:
 
   /// visits every vertex once, in the order of the division; \p uv has no flips before nor after
   /// \param to_rectangle what takes the unit square to the rectangle of the energy
-  /// \param is_moving #V, of several sweeps in a row, all true before the first of them: vertices at rest are not visited, where
-  ///        neither they nor a neighbor gained much when they were visited last. May be null.
-  void operator()(const Free_coordinates& is_free, const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv,
-                  std::vector<char>* is_moving = nullptr) const
+  void operator()(const Free_coordinates& is_free, const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv) const
   {
-    const auto sweep = [&](Patch_division::Range ranks) { sweep_range(ranks, is_free, to_rectangle, uv, is_moving); };
+    const auto sweep = [&](Patch_division::Range ranks) { sweep_range(ranks, is_free, to_rectangle, uv); };
     Thread_team::current()(m_division.number_of_blocks(),
                            [&](std::size_t b) { sweep(m_division.block(static_cast<int>(b))); });
     for(const Patch_division::Range& color : m_division.colors())
@@ -72,45 +68,23 @@ private:
   static constexpr std::size_t SEPARATORS_AT_A_TIME = 256;
 
   void sweep_range(Patch_division::Range ranks, const Free_coordinates& is_free, const Eigen::RowVector2d& to_rectangle,
-                   Uv_coordinates& uv, std::vector<char>* is_moving) const
+                   Uv_coordinates& uv) const
   {
     Vertex_star star(m_balance, to_rectangle);
     for(int rank = ranks.begin; rank < ranks.end; ++rank) {
       const int v = m_division.vertex(rank);
-      double gain = 0;
-      if((is_free(v, 0) || is_free(v, 1)) && (is_moving == nullptr || !is_at_rest(rank, *is_moving)))
-        gain = improve(rank, {is_free(v, 0), is_free(v, 1)}, star, uv);
-      if(is_moving != nullptr)
-        (*is_moving)[v] = gain >= Minimizer_numbers::LEAST_STAR_GAIN;
+      if(!is_free(v, 0) && !is_free(v, 1))
+        continue;
+      star.clear(uv.row(v));
+      for(int i = m_first[rank]; i < m_first[rank + 1]; ++i) {
+        const Corners& corners = m_corners[i];
+        star.add(corners.shapes, {uv.row(corners.q[0]), uv.row(corners.q[1])},
+                 {uv.row(corners.r[0]), uv.row(corners.r[1])});
+      }
+      Eigen::RowVector2d p = uv.row(v);
+      if(star.improve(p, {is_free(v, 0), is_free(v, 1)}))
+        uv.row(v) = p;
     }
-  }
-
-  /// moves the vertex of a rank to a lower energy; returns by how much that is lower, relative
-  double improve(int rank, const std::array<bool, 2>& is_free, Vertex_star& star, Uv_coordinates& uv) const
-  {
-    const int v = m_division.vertex(rank);
-    star.clear(uv.row(v));
-    for(int i = m_first[rank]; i < m_first[rank + 1]; ++i) {
-      const Corners& corners = m_corners[i];
-      star.add(corners.shapes, {uv.row(corners.q[0]), uv.row(corners.q[1])},
-               {uv.row(corners.r[0]), uv.row(corners.r[1])});
-    }
-    Eigen::RowVector2d p = uv.row(v);
-    const double gain = star.improve(p, is_free);
-    uv.row(v) = p;
-    return gain;
-  }
-
-  /// indicates whether neither the vertex of a rank nor a neighbor is moving. Neighbors are not visited at the same time.
-  bool is_at_rest(int rank, const std::vector<char>& is_moving) const
-  {
-    if(is_moving[m_division.vertex(rank)])
-      return false;
-    for(int i = m_first[rank]; i < m_first[rank + 1]; ++i)
-      for(int k = 0; k < 2; ++k)
-        if(is_moving[m_corners[i].q[k]] || is_moving[m_corners[i].r[k]])
-          return false;
-    return true;
   }
 
   /// two corners at a vertex, or the last one twice

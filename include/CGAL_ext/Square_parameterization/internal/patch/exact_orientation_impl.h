@@ -70,7 +70,7 @@ struct Exact_sum
   double value, rest;
 };
 
-/// a product, as two such numbers. \pre it is 0, or at least `MAGNITUDE_WITHOUT_UNDERFLOW`
+/// a product, as two such numbers. \pre a factor is 0, or the product has at least `MAGNITUDE_WITHOUT_UNDERFLOW`
 struct Exact_product
 {
   Exact_product(double a, double b) : value(a * b), rest(std::fma(a, b, -value)) {}
@@ -78,10 +78,13 @@ struct Exact_product
   double value, rest;
 };
 
-/// the sign of the area of a triangle whose sides are floating-point numbers, as they are where it is tiny, and where two
-/// corners coincide: what most triangles have that are flat but for rounding. Nothing where that is not so.
+/// the sign of the area of a triangle of which two corners coincide, or whose sides are floating-point numbers, as those of
+/// tiny ones are: most triangles that are flat but for rounding are like that. Nothing for others, nor where the difference of
+/// the products needs more digits than two numbers have.
 inline std::optional<int> orientation_by_exact_sides(const Uv_point& p, const Uv_point& q, const Uv_point& r)
 {
+  if(p == q || q == r || r == p)
+    return 0;
   const Exact_sum qu(q[0], -p[0]), qv(q[1], -p[1]), ru(r[0], -p[0]), rv(r[1], -p[1]);
   if(qu.rest != 0 || qv.rest != 0 || ru.rest != 0 || rv.rest != 0)
     return {};

@@ -74,7 +74,8 @@ public:
       m_rough_maps->release_workers();
   }
 
-  /// indicates whether to move them would cost too much already with a rough map that costs as much as a map of the patch
+  /// indicates whether the first rough map alone would cost more than all moves may: where it is one of the patch itself it
+  /// costs as much as \p map, which is of the patch
   bool is_too_costly(const Minimized_map& map) const
   {
     return m_has_first_moves_on_patch &&

@@ -64,6 +64,40 @@ Uv_coordinates squeezed(const Patch& patch, Uv_coordinates uv)
   return uv;
 }
 
+/// the triangles at a vertex: their shapes, and the uv positions of their next two corners
+struct Star_triangles
+{
+  Star_triangles(const Patch& patch, const Uv_coordinates& uv, int v)
+  {
+    for(int f = 0; f < patch.number_of_faces(); ++f)
+      for(int k = 0; k < 3; ++k)
+        if(const auto& t = patch.triangles[f]; t[k] == v) {
+          shapes.push_back(corner_shape(patch.shapes[f], k));
+          q.push_back(uv.row(t[(k + 1) % 3]));
+          r.push_back(uv.row(t[(k + 2) % 3]));
+        }
+  }
+
+  /// gives them to a star one by one
+  void set(const Eigen::RowVector2d& origin, Vertex_star& star) const
+  {
+    star.set(origin, shapes.size(), [this](std::size_t i) { return Triangle_pair(shapes[i], q[i], r[i]); });
+  }
+
+  /// gives them to a star in pairs, as a sweep does
+  void set_in_pairs(const Eigen::RowVector2d& origin, Vertex_star& star) const
+  {
+    star.set(origin, (shapes.size() + 1) / 2, [this](std::size_t pair) {
+      const std::size_t i = 2 * pair, j = i + 1;
+      return j == shapes.size() ? Triangle_pair(shapes[i], q[i], r[i])
+                                : Triangle_pair({shapes[i], shapes[j]}, q[i], q[j], r[i], r[j]);
+    });
+  }
+
+  std::vector<Corner_shape> shapes;
+  std::vector<Eigen::RowVector2d> q, r;
+};
+
 } // namespace
 
 TEST_CASE("the energy of a star is that of the map but for a constant, and its step is one of Newton's method")
@@ -73,11 +107,7 @@ TEST_CASE("the energy of a star is that of the map but for a constant, and its s
     const Balanced_energy energy(patch, 0.3);
     for(int v = 0; v < patch.number_of_vertices(); v += 3) {
       Vertex_star star(0.3);
-      star.clear(uv.row(v));
-      for(int f = 0; f < patch.number_of_faces(); ++f)
-        for(int k = 0; k < 3; ++k)
-          if(const auto& t = patch.triangles[f]; t[k] == v)
-            star.add(corner_shape(patch.shapes[f], k), uv.row(t[(k + 1) % 3]), uv.row(t[(k + 2) % 3]));
+      Star_triangles(patch, uv, v).set(uv.row(v), star);
       Uv_coordinates moved = uv;
       moved.row(v) += 1e-4 * Eigen::RowVector2d(0.6, -0.8);
       if(!std::isfinite(energy(moved)))
@@ -96,30 +126,16 @@ TEST_CASE("the energy of a star is that of the map but for a constant, and its s
   }
 }
 
-TEST_CASE("triangles that are added to a star in pairs count as those that are added one by one")
+TEST_CASE("triangles that are given to a star in pairs count as those that are given one by one")
 {
   const Patch patch = make_patch_of(saddle(5));
   const Uv_coordinates uv = some_map(patch);
   for(const Eigen::RowVector2d& scale : {Eigen::RowVector2d(1, 1), Eigen::RowVector2d(2, 0.5)})
     for(int v = 0; v < patch.number_of_vertices(); ++v) {
       Vertex_star one_by_one(0.3, scale), in_pairs(0.3, scale);
-      for(Vertex_star* star : {&one_by_one, &in_pairs})
-        star->clear(uv.row(v));
-      std::vector<Corner_shape> shapes;
-      std::vector<Eigen::RowVector2d> q, r;
-      for(int f = 0; f < patch.number_of_faces(); ++f)
-        for(int k = 0; k < 3; ++k)
-          if(const auto& t = patch.triangles[f]; t[k] == v) {
-            shapes.push_back(corner_shape(patch.shapes[f], k));
-            q.push_back(uv.row(t[(k + 1) % 3]));
-            r.push_back(uv.row(t[(k + 2) % 3]));
-          }
-      for(std::size_t i = 0; i < shapes.size(); ++i)
-        one_by_one.add(shapes[i], q[i], r[i]);
-      for(std::size_t i = 0; i + 1 < shapes.size(); i += 2)
-        in_pairs.add(Corner_pair(shapes[i], shapes[i + 1]), {q[i], q[i + 1]}, {r[i], r[i + 1]});
-      if(shapes.size() % 2 == 1)
-        in_pairs.add(shapes.back(), q.back(), r.back());
+      const Star_triangles triangles(patch, uv, v);
+      triangles.set(uv.row(v), one_by_one);
+      triangles.set_in_pairs(uv.row(v), in_pairs);
       Eigen::RowVector2d a = uv.row(v), b = a;
       CHECK(in_pairs.energy(a) == Approx(one_by_one.energy(a)).epsilon(1e-13));
       CHECK(one_by_one.improve(a, {true, true}) == in_pairs.improve(b, {true, true}));
@@ -140,6 +156,26 @@ TEST_CASE("a sweep lowers the energy, moves only what is free, and flips nothing
       for(Eigen::Index k = 0; k < uv.size(); ++k)
         if(!is_free(k / 2, k % 2))
           CHECK(uv(k / 2, k % 2) == start(k / 2, k % 2));
+    }
+}
+
+TEST_CASE("a sweep visits vertices at the same time, and makes the same map as if one came after the other")
+{
+  for(const Patch& patch : patches())
+    for(const Eigen::RowVector2d& scale : {Eigen::RowVector2d(1, 1), Eigen::RowVector2d(2, 0.5)}) {
+      Uv_coordinates expected = some_map(patch), uv = expected;
+      const Free_coordinates is_free = free_coordinates(patch, uv, true);
+      const Patch_division division(patch, 7);
+      for(int rank = 0; rank < patch.number_of_vertices(); ++rank) {
+        const int v = division.vertex(rank);
+        Vertex_star star(0.3, scale);
+        Star_triangles(patch, expected, v).set_in_pairs(expected.row(v), star);
+        Eigen::RowVector2d p = expected.row(v);
+        star.improve(p, {is_free(v, 0), is_free(v, 1)});
+        expected.row(v) = p;
+      }
+      Vertex_sweep(patch, division, 0.3)(is_free, scale, uv);
+      CHECK(uv == expected);
     }
 }
 
@@ -174,8 +210,8 @@ TEST_CASE("the preconditioner inverts the blocks of the Hessian, with unit rows 
       for(int axis = 0; axis < 2; ++axis)
         for(int i = 0; i < 3; ++i)
           for(int j = 0; j < 3; ++j)
-            x(patch.triangles[f][i], axis) +=
-                energy.hessian_blocks(f, uv, {1, 1}).of_axis(axis)(i, j) * expected(patch.triangles[f][j], axis);
+            x(patch.triangles[f][i], axis) += energy.hessian_blocks({f, f}, uv, {1, 1})[0].of_axis(axis)(i, j) *
+                                              expected(patch.triangles[f][j], axis);
     x = is_free.select(x, 0.);
     preconditioner.apply(factors, x);
     CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-9);

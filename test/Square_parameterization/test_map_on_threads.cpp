@@ -11,6 +11,7 @@
 #include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Axis_matrix.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Sweep_order.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
@@ -81,11 +82,12 @@ TEST_CASE("a division has every vertex and every triangle once, and no edge betw
       }
       std::vector<int> visits(patch.triangles.size(), 0);
       for(int b = 0; b < division.number_of_blocks(); ++b)
-        division.for_triangles_of_block(b, [&](int f) {
+        for(int i = division.triangles_of_block(b).begin; i < division.triangles_of_block(b).end; ++i) {
+          const int f = division.triangle(i);
           ++visits[f];
           for(int v : patch.triangles[f])
             CHECK(block_of[v] == b);
-        });
+        }
       for(int f : division.joints()) {
         ++visits[f];
         const auto& t = patch.triangles[f];
@@ -112,6 +114,46 @@ TEST_CASE("a patch that is not large is one block in its own order")
   std::iota(order.begin(), order.end(), 0);
   CHECK(division.ranks() == order);
   CHECK(division.joints().empty());
+}
+
+TEST_CASE("a sweep visits vertices in batches without edges, each after its neighbors with lower ranks")
+{
+  const std::vector<Patch> patches{make_patch_of(noisy_height_field(25)), make_patch_of(cone(2, 20, 30)),
+                                   make_patch_of(long_strip(40))};
+  for(const Patch& patch : patches)
+    for(int vertices_per_block : {7, 50, 10000}) {
+      const Patch_division division(patch, vertices_per_block);
+      const Sweep_order order(patch, division);
+      const int n = patch.number_of_vertices();
+      std::vector<int> place_of(n, -1), batch_of(n);
+      int batches = 0;
+      for(int place = 0; place < n; ++batches) {
+        const int begin = place, end = order.end_of_batch(begin);
+        REQUIRE(end > begin);
+        CHECK(end - begin <= Sweep_order::LARGEST_BATCH);
+        for(; place < end; ++place) {
+          CHECK(order.end_of_batch(place) == end);
+          place_of[order.vertex(place)] = place;
+          batch_of[order.vertex(place)] = batches;
+        }
+      }
+      for(const auto& [a, b] : patch.edges) {
+        CHECK(batch_of[a] != batch_of[b]);
+        CHECK((place_of[a] < place_of[b]) == (division.rank(a) < division.rank(b)));
+      }
+      const auto keeps = [&](Patch_division::Range range) { // its vertices
+        return std::all_of(place_of.begin(), place_of.end(), [&](int place) {
+          const int rank = division.rank(order.vertex(place));
+          return (place >= range.begin && place < range.end) == (rank >= range.begin && rank < range.end);
+        });
+      };
+      for(int b = 0; b < division.number_of_blocks(); ++b)
+        CHECK(keeps(division.block(b)));
+      for(const Patch_division::Range& color : division.colors())
+        CHECK(keeps(color));
+      if(&patch == &patches[0] && !division.is_divided())
+        CHECK(batches < n / 5); // a grid, row by row: waves go over it aslant
+    }
 }
 
 TEST_CASE("gradient and Hessian of a divided patch are those of the whole one")

@@ -42,9 +42,8 @@ public:
   {
     std::vector<Eigen::RowVector2d> ring_uv;
     Eigen::RowVector2d position(0, 0);
-    m_star.clear(m_uv.row(ring[0]));
+    set_star(vertex, ring, ring.size(), ring[0]);
     for(std::size_t i = 0; i < ring.size(); ++i) {
-      add_triangle(vertex, ring[i], ring[(i + 1) % ring.size()]);
       ring_uv.push_back(m_uv.row(ring[i]));
       position += m_uv.row(ring[i]) / ring.size();
     }
@@ -66,9 +65,7 @@ public:
   bool insert_on_side(int vertex, const Vertex_ring& ring, int from, int to)
   {
     constexpr double LEAST_SHARE = Minimizer_numbers::LEAST_SHARE_OF_SIDE;
-    m_star.clear(m_uv.row(from));
-    for(std::size_t i = 0; i + 1 < ring.size(); ++i)
-      add_triangle(vertex, ring[i], ring[i + 1]);
+    set_star(vertex, ring, ring.size() - 1, from);
     const double length_from = (m_patch.points[from] - m_patch.points[vertex]).norm();
     const double length_to = (m_patch.points[to] - m_patch.points[vertex]).norm();
     const Eigen::RowVector2d side = m_uv.row(to) - m_uv.row(from);
@@ -115,10 +112,13 @@ private:
     return position / sum;
   }
 
-  void add_triangle(int vertex, int a, int b)
+  /// \param triangles the number of them between vertices of the ring that follow each other
+  void set_star(int vertex, const Vertex_ring& ring, std::size_t triangles, int origin)
   {
-    const Flat_triangle shape = shape_between(m_patch, vertex, a, b);
-    m_star.add(corner_shape(shape, 0), m_uv.row(a), m_uv.row(b));
+    m_star.set(m_uv.row(origin), triangles, [&](std::size_t i) {
+      const int a = ring[i], b = ring[(i + 1) % ring.size()];
+      return Triangle_pair(corner_shape(shape_between(m_patch, vertex, a, b), 0), m_uv.row(a), m_uv.row(b));
+    });
   }
 
   void settle(int vertex, Eigen::RowVector2d position, const std::array<bool, 2>& is_free)

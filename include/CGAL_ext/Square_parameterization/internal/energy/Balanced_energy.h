@@ -5,9 +5,10 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_BALANCED_ENERGY_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/Hessian_modes.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
-#include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/for_triangles.h>
 
 #include <array>
 #include <cmath>
@@ -116,8 +117,9 @@ public:
       for(int f = 0; f < m_patch.number_of_faces(); ++f)
         add(f, slope_of(f, uv, to_rectangle), energy);
     else
-      for_divided_triangles<Slope>(
-          *m_division, energy, [&](int f) { return slope_of(f, uv, to_rectangle); }, add);
+      for_divided_triangles<1>(
+          *m_division, energy,
+          [&](const std::array<int, 1>& f) { return std::array{slope_of(f[0], uv, to_rectangle)}; }, add);
     gradient *= to_rectangle.asDiagonal();
     return energy;
   }
@@ -158,28 +160,43 @@ public:
     });
   }
 
-  /// the blocks of the Hessian of triangle \p f, made positive semidefinite by clamping the negative of its
+  /// the blocks of the Hessians of two triangles, made positive semidefinite by clamping the negative of its
   /// eigenvalues, which are known in closed form (Smith, de Goes, Kim 2019).
   ///
   /// The total signed area of a map with fixed border, or with a border that slides along the square, is constant, so
   /// any multiple of det(K) may be added: the objective and its gradient stay, and fewer eigenvalues need clamping.
   /// \param to_rectangle what `scale(uv)` gives; the aspect is taken as fixed
   /// \param area_multiple this multiple, the same for all triangles
-  Hessian_blocks hessian_blocks(int f, const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle,
-                                double area_multiple = AREA_MULTIPLE) const
+  std::array<Hessian_blocks, 2> hessian_blocks(const std::array<int, 2>& faces, const Uv_coordinates& uv,
+                                               const Eigen::RowVector2d& to_rectangle,
+                                               double area_multiple = AREA_MULTIPLE) const
   {
-    const Flat_triangle& shape = m_patch.shapes[f];
-    const Modes modes(jacobian(f, uv, to_rectangle), m_balance, area_multiple);
-    const auto [xx, xy, yy] = modes.forms_on_rows();
+    const Triangle_edges edges(m_patch, faces, uv, to_rectangle);
+    const auto& [x1, x2, y2, da_u, da_v, db_u, db_v] = edges;
+    const Numbers K_uu = da_u / x1, K_vu = da_v / x1;
+    const Hessian_modes modes({K_uu, (db_u - x2 * K_uu) / y2, K_vu, (db_v - x2 * K_vu) / y2}, m_balance, area_multiple);
+    const std::array<Hessian_modes::Form, 2> forms = modes.forms_on_rows();
     // gradients of the hat functions of corners 1, (a, b), and 2, (0, c); that of corner 0 is minus their sum
-    const double a = 1 / shape.x1, c = 1 / shape.y2, b = -shape.x2 * a * c;
-    const Eigen::Array2d scale = to_rectangle.transpose().array().square() * (shape.area() / 2);
-    const Eigen::Array2d h11 = scale * (a * a * xx + 2 * a * b * xy + b * b * yy);
-    const Eigen::Array2d h12 = scale * c * (a * xy + b * yy), h22 = scale * (c * c * yy);
-    return {{h11 + 2 * h12 + h22, h11, h22}, {-h11 - h12, h12, -h12 - h22}};
+    const Numbers a = 1 / x1, c = 1 / y2, b = -x2 * a * c, half_area = x1 * y2 / 2 / 2;
+    std::array<Hessian_blocks, 2> result;
+    for(int axis = 0; axis < 2; ++axis) {
+      const auto& [xx, xy, yy] = forms[axis];
+      const Numbers scale = to_rectangle[axis] * to_rectangle[axis] * half_area;
+      const Numbers h11 = scale * (a * a * xx + 2 * a * b * xy + b * b * yy);
+      const Numbers h12 = scale * c * (a * xy + b * yy), h22 = scale * (c * c * yy);
+      const std::array<Numbers, 3> diagonal{h11 + 2 * h12 + h22, h11, h22}, sides{-h11 - h12, h12, -h12 - h22};
+      for(int i = 0; i < 2; ++i)
+        for(int k = 0; k < 3; ++k) {
+          result[i].diagonal[k][axis] = diagonal[k][i];
+          result[i].sides[k][axis] = sides[k][i];
+        }
+    }
+    return result;
   }
 
 private:
+  typedef Eigen::Array2d Numbers; // of two triangles
+
   /// what the energy of a triangle is made of
   struct Terms
   {
@@ -223,84 +240,29 @@ private:
     return sum_of_ranges(m_patch.triangles.size(), zero, summand);
   }
 
-  /// the eigenmodes of f at K, with K = U diag(s1, s2) V^T, and the clamped eigenvalues.
-  ///
-  /// The modes are products of U, V^T and the four matrices diag(1, 1), diag(1, -1), [0 -1; 1 0] and [0 1; 1 0]: the
-  /// first and third depend on the angle of U V^T alone, the others on that of the reflection. f mixes the first two.
-  struct Modes
-  {
-    Modes(const Eigen::Matrix2d& K, double balance, double area_multiple)
-    {
-      const double turn_cos = (K(0, 0) + K(1, 1)) / 2, turn_sin = (K(1, 0) - K(0, 1)) / 2;
-      const double mirror_cos = (K(0, 0) - K(1, 1)) / 2, mirror_sin = (K(1, 0) + K(0, 1)) / 2;
-      const double mean = std::sqrt(turn_cos * turn_cos + turn_sin * turn_sin); // (s1 + s2) / 2
-      const double half_difference = std::sqrt(mirror_cos * mirror_cos + mirror_sin * mirror_sin);
-      turn = {turn_cos / mean, turn_sin / mean};
-      mirror = half_difference > 0 ? Eigen::Vector2d(mirror_cos, mirror_sin) / half_difference : Eigen::Vector2d(1, 0);
-      const double s1 = mean + half_difference, s2 = K.determinant() / s1; // mean - half_difference would cancel
-      const double i1 = 1 / (s1 * s1), i2 = 1 / (s2 * s2), cubes = i1 * i2 / (s1 * s2);
-      twist = (std::max)(0., 2 * (balance - (s1 * s1 - s1 * s2 + s2 * s2) * cubes) + area_multiple);
-      flip = (std::max)(0., 2 * (balance + (s1 * s1 + s1 * s2 + s2 * s2) * cubes) - area_multiple);
-      const double h11 = 6 * i1 * i1 + 2 * balance, h22 = 6 * i2 * i2 + 2 * balance;
-      scaling << (h11 + h22) / 2 + area_multiple, (h11 - h22) / 2, (h11 - h22) / 2, (h11 + h22) / 2 - area_multiple;
-      clamp(scaling);
-    }
-
-    /// symmetric 2 by 2 matrices, one for each axis
-    struct Forms
-    {
-      Eigen::Array2d xx, xy, yy;
-    };
-
-    /// the quadratic forms on the two rows of a change of K, times 2.
-    ///
-    /// With (c, s) the turn and (d, e) the mirror the modes have the rows (c, -s) and (s, c), (d, e) and (e, -d); twist and
-    /// flip have these pairs of rows exchanged, but for signs.
-    Forms forms_on_rows() const
-    {
-      const double c = turn.x(), s = turn.y(), d = mirror.x(), e = mirror.y();
-      const double even = scaling(0, 0) * c * c + scaling(1, 1) * d * d + twist * s * s + flip * e * e;
-      const double odd = scaling(0, 0) * s * s + scaling(1, 1) * e * e + twist * c * c + flip * d * d;
-      const double even_mixed = 2 * scaling(0, 1) * c * d, odd_mixed = 2 * scaling(0, 1) * s * e;
-      const double mixed = scaling(0, 1) * (c * e - s * d);
-      const double across = (scaling(1, 1) - flip) * d * e - (scaling(0, 0) - twist) * c * s;
-      return {
-          {even + even_mixed, odd + odd_mixed}, {mixed + across, mixed - across}, {odd - odd_mixed, even - even_mixed}};
-    }
-
-    /// replaces a negative eigenvalue of a symmetric matrix with a positive one by zero
-    static void clamp(Eigen::Matrix2d& matrix)
-    {
-      const double mean = (matrix(0, 0) + matrix(1, 1)) / 2, half = (matrix(0, 0) - matrix(1, 1)) / 2;
-      const double radius = std::sqrt(half * half + matrix(0, 1) * matrix(0, 1));
-      if(radius <= mean)
-        return;
-      const Eigen::Vector2d direction(half + radius, matrix(0, 1)); // of the larger eigenvalue; half > 0 here
-      matrix = (mean + radius) / direction.squaredNorm() * direction * direction.transpose();
-    }
-
-    Eigen::Vector2d turn, mirror; // cosine and sine
-    double twist, flip;
-    Eigen::Matrix2d scaling;
-  };
-
   double factor(std::size_t f, double determinant) const
   {
     const double area = m_patch.shapes[f].area();
     return area / (determinant * determinant) + m_balance / (4 * area);
   }
 
-  Eigen::Matrix2d jacobian(int f, const Uv_coordinates& uv, const Eigen::RowVector2d& to_rectangle) const
+  /// the shapes of two triangles, and their uv edges
+  struct Triangle_edges
   {
-    const auto& t = m_patch.triangles[f];
-    const Flat_triangle& shape = m_patch.shapes[f];
-    Eigen::Matrix2d K;
-    const Eigen::Vector2d da = (uv.row(t[1]) - uv.row(t[0])).cwiseProduct(to_rectangle).transpose();
-    const Eigen::Vector2d db = (uv.row(t[2]) - uv.row(t[0])).cwiseProduct(to_rectangle).transpose();
-    K.col(0) = da / shape.x1;
-    K.col(1) = (db - shape.x2 * K.col(0)) / shape.y2;
-    return K;
-  }
+    Triangle_edges(const Patch& patch, const std::array<int, 2>& faces, const Uv_coordinates& uv,
+                   const Eigen::RowVector2d& to_rectangle)
+    {
+      const Flat_triangle &s = patch.shapes[faces[0]], &t = patch.shapes[faces[1]];
+      x1 = Numbers(s.x1, t.x1), x2 = Numbers(s.x2, t.x2), y2 = Numbers(s.y2, t.y2);
+      const auto &a = patch.triangles[faces[0]], &b = patch.triangles[faces[1]];
+      const auto edge = [&](int corner, int axis) -> Numbers {
+        return Numbers(uv(a[corner], axis) - uv(a[0], axis), uv(b[corner], axis) - uv(b[0], axis)) * to_rectangle[axis];
+      };
+      da_u = edge(1, 0), da_v = edge(1, 1), db_u = edge(2, 0), db_v = edge(2, 1);
+    }
+
+    Numbers x1, x2, y2, da_u, da_v, db_u, db_v;
+  };
 
   const Patch& m_patch;
   double m_balance;

@@ -9,6 +9,7 @@
 #include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/sparse_pattern.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Number_per_axis.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/for_triangles.h>
 
 #include <algorithm>
 #include <array>
@@ -79,8 +80,10 @@ public:
     for_ranges(matrix.nonZeros(),
                [&](std::size_t begin, std::size_t end) { std::fill(values + begin, values + end, Number_per_axis()); });
     typedef Balanced_energy::Hessian_blocks Blocks;
-    const auto blocks_of = [&](int f) { return energy.hessian_blocks(f, uv, to_rectangle, area_multiple); };
-    const auto add = [&](int f, const Blocks& blocks, double) {
+    const auto blocks_of = [&](const std::array<int, 2>& faces) {
+      return energy.hessian_blocks(faces, uv, to_rectangle, area_multiple);
+    };
+    const auto add = [&](std::size_t f, const Blocks& blocks, double) {
       const auto& t = m_patch.triangles[f];
       for(int k = 0; k < 3; ++k) {
         values[m_diagonal[t[k]]] += Number_per_axis(blocks.diagonal[k]);
@@ -89,10 +92,11 @@ public:
     };
     double nothing = 0;
     if(m_division == nullptr || !m_division->is_divided())
-      for(int f = 0; f < m_patch.number_of_faces(); ++f)
-        add(f, blocks_of(f), nothing);
+      for_triangles<2>(
+          0, m_patch.triangles.size(), [](std::size_t f) { return static_cast<int>(f); }, blocks_of,
+          [&](std::size_t f, const Blocks& blocks) { add(f, blocks, nothing); });
     else
-      for_divided_triangles<Blocks>(*m_division, nothing, blocks_of, add);
+      for_divided_triangles<2>(*m_division, nothing, blocks_of, add);
     fix(is_free, matrix);
   }
 

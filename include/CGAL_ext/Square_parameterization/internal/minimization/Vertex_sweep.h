@@ -7,10 +7,13 @@
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Vertex_star.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Sweep_order.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -27,32 +30,34 @@ class Vertex_sweep
 public:
   /// \param division of the patch, which must live as long
   Vertex_sweep(const Patch& patch, const Patch_division& division, double balance)
-    : m_division(division), m_balance(balance), m_first(patch.points.size() + 1, 0)
+    : m_division(division), m_order(patch, division), m_balance(balance), m_first(patch.points.size() + 1, 0)
   {
-    std::vector<int> first(patch.points.size() + 1, 0);
+    const int n = patch.number_of_vertices();
+    std::vector<int> first(n + 1, 0);
     for(const auto& t : patch.triangles)
       for(int v : t)
-        ++first[division.rank(v) + 1];
-    for(std::size_t i = 1; i < first.size(); ++i) {
-      m_first[i] = m_first[i - 1] + (first[i] + 1) / 2;
-      first[i] += first[i - 1];
-    }
+        ++first[v + 1];
+    for(int place = 0; place < n; ++place)
+      m_first[place + 1] = m_first[place] + (first[m_order.vertex(place) + 1] + 1) / 2;
+    std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<std::array<int, 2>> corners(3 * patch.triangles.size()); // a face and a number of its corner
     std::vector<int> next(first.begin(), first.end() - 1);
     for(int f = 0; f < patch.number_of_faces(); ++f)
       for(int k = 0; k < 3; ++k)
-        corners[next[division.rank(patch.triangles[f][k])]++] = {f, k};
+        corners[next[patch.triangles[f][k]]++] = {f, k};
     m_corners.reserve(m_first.back());
-    for(std::size_t rank = 0; rank < patch.points.size(); ++rank)
-      for(int i = first[rank]; i < first[rank + 1]; i += 2)
-        m_corners.push_back(corners_at(patch, corners.data() + i, (std::min)(2, first[rank + 1] - i)));
+    for(int place = 0; place < n; ++place) {
+      const int v = m_order.vertex(place);
+      for(int i = first[v]; i < first[v + 1]; i += 2)
+        m_corners.push_back(corners_at(patch, corners.data() + i, (std::min)(2, first[v + 1] - i)));
+    }
   }
 
-  /// visits every vertex once, in the order of the division; \p uv has no flips before nor after
+  /// visits every vertex once, as if in the order of the division; \p uv has no flips before nor after
   /// \param to_rectangle what takes the unit square to the rectangle of the energy
   void operator()(const Free_coordinates& is_free, const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv) const
   {
-    const auto sweep = [&](Patch_division::Range ranks) { sweep_range(ranks, is_free, to_rectangle, uv); };
+    const auto sweep = [&](Patch_division::Range places) { sweep_range(places, is_free, to_rectangle, uv); };
     Thread_team::current()(m_division.number_of_blocks(),
                            [&](std::size_t b) { sweep(m_division.block(static_cast<int>(b))); });
     for(const Patch_division::Range& color : m_division.colors())
@@ -67,24 +72,41 @@ public:
 private:
   static constexpr std::size_t SEPARATORS_AT_A_TIME = 256;
 
-  void sweep_range(Patch_division::Range ranks, const Free_coordinates& is_free, const Eigen::RowVector2d& to_rectangle,
-                   Uv_coordinates& uv) const
+  void sweep_range(Patch_division::Range places, const Free_coordinates& is_free,
+                   const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv) const
   {
-    Vertex_star star(m_balance, to_rectangle);
-    for(int rank = ranks.begin; rank < ranks.end; ++rank) {
-      const int v = m_division.vertex(rank);
-      if(!is_free(v, 0) && !is_free(v, 1))
-        continue;
-      star.clear(uv.row(v));
-      for(int i = m_first[rank]; i < m_first[rank + 1]; ++i) {
-        const Corners& corners = m_corners[i];
-        star.add(corners.shapes, {uv.row(corners.q[0]), uv.row(corners.q[1])},
-                 {uv.row(corners.r[0]), uv.row(corners.r[1])});
+    std::vector<Vertex_star> stars(Sweep_order::LARGEST_BATCH, Vertex_star(m_balance, to_rectangle));
+    std::array<int, Sweep_order::LARGEST_BATCH> vertices;
+    const auto may_move = [&is_free](int v) { return std::array<bool, 2>{is_free(v, 0), is_free(v, 1)}; };
+    for(int place = places.begin, end; place < places.end; place = end) {
+      end = (std::min)(m_order.end_of_batch(place), places.end);
+      int moving = 0;
+      for(int i = place; i < end; ++i) {
+        const int v = m_order.vertex(i);
+        if(!is_free(v, 0) && !is_free(v, 1))
+          continue;
+        set_star(i, uv, stars[moving]);
+        stars[moving].take_derivatives_at_origin();
+        vertices[moving++] = v;
       }
-      Eigen::RowVector2d p = uv.row(v);
-      if(star.improve(p, {is_free(v, 0), is_free(v, 1)}))
-        uv.row(v) = p;
+      for(int i = 0; i < moving; ++i)
+        stars[i].find_step(may_move(vertices[i]));
+      for(int i = 0; i < moving; ++i) {
+        Eigen::RowVector2d p = uv.row(vertices[i]);
+        if(stars[i].take_step(p))
+          uv.row(vertices[i]) = p;
+      }
     }
+  }
+
+  /// sets the star of the vertex at a place, with it at the origin
+  void set_star(int place, const Uv_coordinates& uv, Vertex_star& star) const
+  {
+    const Corners* const corners = m_corners.data() + m_first[place];
+    star.set(uv.row(m_order.vertex(place)), m_first[place + 1] - m_first[place], [corners, &uv](std::size_t i) {
+      const auto& [shapes, q, r] = corners[i];
+      return Triangle_pair(shapes, uv.row(q[0]), uv.row(q[1]), uv.row(r[0]), uv.row(r[1]));
+    });
   }
 
   /// two corners at a vertex, or the last one twice
@@ -111,8 +133,9 @@ private:
   }
 
   const Patch_division& m_division;
+  Sweep_order m_order;
   double m_balance;
-  std::vector<int> m_first;       // #V + 1: the corners at the vertex of rank i are first[i], ..., first[i + 1] - 1
+  std::vector<int> m_first;       // #V + 1: the corners at the vertex of place i are first[i], ..., first[i + 1] - 1
   std::vector<Corners> m_corners; // half of 3 #F, and half of those vertices that have an odd number
 };
 

@@ -33,7 +33,8 @@ inline Patch in_order_of(const Patch_division& division, const Patch& patch)
   result.triangles.reserve(patch.triangles.size());
   result.shapes.reserve(patch.triangles.size());
   for(int b = 0; b < division.number_of_blocks(); ++b)
-    division.for_triangles_of_block(b, add_triangle);
+    for(int i = division.triangles_of_block(b).begin; i < division.triangles_of_block(b).end; ++i)
+      add_triangle(division.triangle(i));
   for(int f : division.joints())
     add_triangle(f);
   for(int v : patch.border)

@@ -5,7 +5,6 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_PATCH_DIVISION_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
-#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/vertices_along_curve.h>
 
@@ -101,13 +100,9 @@ public:
   /// the vertex with a rank
   int vertex(int rank) const { return m_order[rank]; }
 
-  /// calls `visit(f)` for the triangles of which all corners belong to block \p b
-  template <class Visit>
-  void for_triangles_of_block(int b, const Visit& visit) const
-  {
-    for(int i = m_first_triangle[b]; i < m_first_triangle[b + 1]; ++i)
-      visit(m_triangles[i]);
-  }
+  /// the places in the list of `triangle()` of those of which all corners belong to block \p b
+  Range triangles_of_block(int b) const { return {m_first_triangle[b], m_first_triangle[b + 1]}; }
+  int triangle(int place) const { return m_triangles[place]; }
 
   /// the triangles with separators
   const std::vector<int>& joints() const { return m_joints; }
@@ -203,32 +198,6 @@ private:
   std::vector<int> m_first_triangle; // #blocks + 1
   std::vector<int> m_joints;         // the others
 };
-
-/// computes something of each triangle of a divided patch and adds it up at the vertices, on the threads of the current
-/// team: `add(f, value, sum)` is called for triangles of different blocks at a time, and in a fixed order for the
-/// triangles at one vertex
-/// \param sum what `add()` adds up for the whole patch
-template <class Value, class Sum, class ValueOf, class Add>
-void for_divided_triangles(const Patch_division& division, Sum& sum, const ValueOf& value_of, const Add& add)
-{
-  const std::vector<int>& joints = division.joints();
-  const std::size_t blocks = division.number_of_blocks(), ranges = (joints.size() + RANGE - 1) / RANGE;
-  std::vector<Sum> sums(blocks, Sum(0));
-  std::vector<Value> at_joints(joints.size());
-  Thread_team::current()(blocks + ranges, [&](std::size_t i) {
-    if(i < blocks) {
-      Sum sum_of_block(0);
-      division.for_triangles_of_block(static_cast<int>(i), [&](int f) { add(f, value_of(f), sum_of_block); });
-      sums[i] = sum_of_block;
-    } else
-      for(std::size_t k = (i - blocks) * RANGE; k < (std::min)(joints.size(), (i - blocks + 1) * RANGE); ++k)
-        at_joints[k] = value_of(joints[k]);
-  });
-  for(const Sum& sum_of_block : sums)
-    sum += sum_of_block;
-  for(std::size_t k = 0; k < joints.size(); ++k)
-    add(joints[k], at_joints[k], sum);
-}
 
 } // namespace internal
 } // namespace CGAL_ext

@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <set>
+#include <tuple>
 #include <vector>
 
 using namespace CGAL_ext;
@@ -161,11 +162,15 @@ TEST_CASE("a sweep lowers the energy, moves only what is free, and flips nothing
 
 TEST_CASE("a sweep visits vertices at the same time, and makes the same map as if one came after the other")
 {
-  for(const Patch& patch : patches())
-    for(const Eigen::RowVector2d& scale : {Eigen::RowVector2d(1, 1), Eigen::RowVector2d(2, 0.5)}) {
+  std::vector<Patch> all = patches();
+  all.push_back(make_patch_of(noisy_height_field(25))); // with waves of more vertices than a batch has
+  for(const Patch& patch : all)
+    for(const auto& [scale, vertices_per_block, is_sliding] :
+        {std::tuple(Eigen::RowVector2d(1, 1), 7, true), std::tuple(Eigen::RowVector2d(2, 0.5), 7, false),
+         std::tuple(Eigen::RowVector2d(1, 1), 1000, false), std::tuple(Eigen::RowVector2d(2, 0.5), 1000, true)}) {
       Uv_coordinates expected = some_map(patch), uv = expected;
-      const Free_coordinates is_free = free_coordinates(patch, uv, true);
-      const Patch_division division(patch, 7);
+      const Free_coordinates is_free = free_coordinates(patch, uv, is_sliding);
+      const Patch_division division(patch, vertices_per_block);
       for(int rank = 0; rank < patch.number_of_vertices(); ++rank) {
         const int v = division.vertex(rank);
         Vertex_star star(0.3, scale);

@@ -137,6 +137,7 @@ TEST_CASE("a sweep visits vertices in batches without edges, each after its neig
           batch_of[order.vertex(place)] = batches;
         }
       }
+      REQUIRE(std::count(place_of.begin(), place_of.end(), -1) == 0);
       for(const auto& [a, b] : patch.edges) {
         CHECK(batch_of[a] != batch_of[b]);
         CHECK((place_of[a] < place_of[b]) == (division.rank(a) < division.rank(b)));

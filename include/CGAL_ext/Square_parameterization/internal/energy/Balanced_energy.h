@@ -160,7 +160,7 @@ public:
     });
   }
 
-  /// the blocks of the Hessians of two triangles, made positive semidefinite by clamping the negative of its
+  /// the blocks of the Hessians of two triangles, made positive semidefinite by clamping the negative of their
   /// eigenvalues, which are known in closed form (Smith, de Goes, Kim 2019).
   ///
   /// The total signed area of a map with fixed border, or with a border that slides along the square, is constant, so

@@ -19,11 +19,11 @@ struct Jacobians
   Eigen::Array2d xx, xy, yx, yy;
 };
 
-/// the eigenmodes of the balanced stretch f (see `Balanced_energy`) at K, with K = U diag(s1, s2) V^T, and its eigenvalues, of
-/// which negative ones are clamped (Smith, de Goes, Kim 2019); of two triangles.
+/// the eigenmodes of the balanced stretch f (see `Balanced_energy`) at K, with K = U diag(s1, s2) V^T, and its
+/// eigenvalues, of which negative ones are clamped (Smith, de Goes, Kim 2019); of two triangles.
 ///
-/// The modes are products of U, V^T and the four matrices diag(1, 1), diag(1, -1), [0 -1; 1 0] and [0 1; 1 0]: the first
-/// and third depend on the angle of U V^T alone, the others on that of the reflection. f mixes the first two.
+/// The modes are products of U, V^T and the four matrices diag(1, 1), diag(1, -1), [0 -1; 1 0] and [0 1; 1 0]: the
+/// first and third depend on the angle of U V^T alone, the others on that of the reflection. f mixes the first two.
 class Hessian_modes
 {
 public:
@@ -59,8 +59,8 @@ public:
 
   /// the quadratic forms on the two rows of a change of K, times 2.
   ///
-  /// With (c, s) the turn and (d, e) the mirror the modes have the rows (c, -s) and (s, c), (d, e) and (e, -d); twist and flip
-  /// have these pairs of rows exchanged, but for signs.
+  /// With (c, s) the turn and (d, e) the mirror the modes have the rows (c, -s) and (s, c), (d, e) and (e, -d); twist and
+  /// flip have these pairs of rows exchanged, but for signs.
   std::array<Form, 2> forms_on_rows() const
   {
     const auto& [c, s] = m_turn;

@@ -68,7 +68,7 @@ public:
     }
   }
 
-  /// the energy with the vertex at \p position; infinite when a triangle is not counter-clockwise
+  /// the energy with the vertex at \p position; infinite, or not a number, when a triangle is not counter-clockwise
   double energy(const Eigen::RowVector2d& position) const { return energy_at(on_rectangle(position) - m_origin); }
 
   /// moves \p position by one step of Newton's method, of which the Hessian is made positive definite, to a lower
@@ -95,8 +95,8 @@ public:
     m_length = (std::min)(1., Minimizer_numbers::STAR_SAFETY * largest_step(m_step));
   }
 
-  /// moves \p position, where the derivatives were taken, by this step, or by less, to a lower energy; returns false when
-  /// it stays
+  /// moves \p position, where the derivatives were taken, by this step, or by less, to a lower energy; returns false
+  /// when it stays
   bool take_step(Eigen::RowVector2d& position) const
   {
     if(!(-m_slope > Minimizer_numbers::STAR_NEGLIGIBLE * m_here.energy))

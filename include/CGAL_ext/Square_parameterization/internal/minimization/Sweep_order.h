@@ -11,20 +11,25 @@
 #include <numeric>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
-/// the order in which a sweep visits the vertices of a patch: in batches of vertices without edges between them, which can
-/// be visited at the same time. Each block of the division, and each color of its separators, has the places of its ranks.
+/// the order in which a sweep visits the vertices of a patch: in batches of vertices without edges between them, which
+/// can be visited at the same time. Each block of the division, and each color of its separators, has the places of its
+/// ranks.
 ///
-/// Of two neighbors the one with the lower rank is still visited first, so that the map is that of a sweep in the order of
-/// ranks. O(#V + #E), and O(#V log #V) within blocks.
+/// Of two neighbors the one with the lower rank is still visited first, so that the map is that of a sweep in the order
+/// of ranks. Where each vertex is a neighbor of the one before, as round the rings of a cone, batches have one vertex.
+/// O(#V log #V + #E).
 class Sweep_order
 {
 public:
   /// vertices of a batch, at most: enough to keep a processor busy that works ahead
   static constexpr int LARGEST_BATCH = 8;
 
+  /// \pre the patch has its edges
   Sweep_order(const Patch& patch, const Patch_division& division)
     : m_vertices(division.order()), m_end_of_batch(m_vertices.size())
   {
@@ -45,8 +50,8 @@ public:
   int end_of_batch(int place) const { return m_end_of_batch[place]; }
 
 private:
-  /// per vertex of a block the number of the wave in which it may be visited: the one after those of all neighbors with lower
-  /// ranks. 0 for separators, which have no neighbors in their colors.
+  /// per vertex of a block the number of the wave in which it may be visited: the one after those of all neighbors with
+  /// lower ranks. 0 for separators, which have no neighbors in their colors.
   static std::vector<int> waves_of(const Patch& patch, const Patch_division& division)
   {
     const int end = division.separators().begin;
@@ -91,5 +96,7 @@ private:
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_SWEEP_ORDER_H

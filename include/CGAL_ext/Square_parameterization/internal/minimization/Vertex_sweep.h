@@ -29,6 +29,7 @@ class Vertex_sweep
 {
 public:
   /// \param division of the patch, which must live as long
+  /// \pre the patch has its edges
   Vertex_sweep(const Patch& patch, const Patch_division& division, double balance)
     : m_division(division), m_order(patch, division), m_balance(balance), m_first(patch.points.size() + 1, 0)
   {

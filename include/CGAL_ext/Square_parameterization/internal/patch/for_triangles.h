@@ -13,6 +13,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
+
 namespace CGAL_ext {
 namespace internal {
 
@@ -70,5 +72,7 @@ void for_divided_triangles(const Patch_division& division, Sum& sum, const Value
 
 } // namespace internal
 } // namespace CGAL_ext
+
+#include <CGAL_ext/Square_parameterization/internal/common/enable_warnings.h>
 
 #endif // CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_FOR_TRIANGLES_H

@@ -230,7 +230,7 @@ private:
   Eigen::RowVector2d m_origin = Eigen::RowVector2d::Zero();
   std::vector<Corners> m_corners; // the first of them, the others are memory
   std::size_t m_number_of_pairs = 0;
-  Derivatives m_here{};
+  Derivatives m_here{0, Eigen::RowVector2d::Zero(), 0, 0, 0};
   Eigen::RowVector2d m_step = Eigen::RowVector2d::Zero(); // on the rectangle
   double m_slope = 0, m_length = 0;
 };

@@ -15,6 +15,7 @@
 #include <CGAL_ext/Square_parameterization/internal/minimization/Vertex_sweep.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/rows_by_ranges.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Incident_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
@@ -123,7 +124,7 @@ TEST_CASE("a sweep visits vertices in batches without edges, each after its neig
   for(const Patch& patch : patches)
     for(int vertices_per_block : {7, 50, 10000}) {
       const Patch_division division(patch, vertices_per_block);
-      const Sweep_order order(patch, division);
+      const Sweep_order order(patch, division, Incident_corners(patch));
       const int n = patch.number_of_vertices();
       std::vector<int> place_of(n, -1), batch_of(n);
       int batches = 0;

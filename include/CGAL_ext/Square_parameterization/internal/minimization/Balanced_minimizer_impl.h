@@ -30,7 +30,7 @@ Balanced_minimizer::Balanced_minimizer(const Patch_division& division, bool has_
     m_options(options),
     m_deadline(deadline)
 {
-  m_patch.forget_edges(); // matrices and sweeps need them only while they are made
+  m_patch.forget_edges(); // the matrices alone need them, while they are made
 }
 
 CGAL_EXT_INLINE_FUNCTION void Balanced_minimizer::set_coarser(const Coarse_patch& to_coarser,

@@ -5,15 +5,16 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_MINIMIZATION_VERTEX_SWEEP_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
+#include <CGAL_ext/Square_parameterization/internal/energy/Triangle_pair.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/Vertex_star.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/feasible_step.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Sweep_order.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/Incident_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch_division.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -29,30 +30,9 @@ class Vertex_sweep
 {
 public:
   /// \param division of the patch, which must live as long
-  /// \pre the patch has its edges
   Vertex_sweep(const Patch& patch, const Patch_division& division, double balance)
-    : m_division(division), m_order(patch, division), m_balance(balance), m_first(patch.points.size() + 1, 0)
-  {
-    const int n = patch.number_of_vertices();
-    std::vector<int> first(n + 1, 0);
-    for(const auto& t : patch.triangles)
-      for(int v : t)
-        ++first[v + 1];
-    for(int place = 0; place < n; ++place)
-      m_first[place + 1] = m_first[place] + (first[m_order.vertex(place) + 1] + 1) / 2;
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::array<int, 2>> corners(3 * patch.triangles.size()); // a face and a number of its corner
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for(int f = 0; f < patch.number_of_faces(); ++f)
-      for(int k = 0; k < 3; ++k)
-        corners[next[patch.triangles[f][k]]++] = {f, k};
-    m_corners.reserve(m_first.back());
-    for(int place = 0; place < n; ++place) {
-      const int v = m_order.vertex(place);
-      for(int i = first[v]; i < first[v + 1]; i += 2)
-        m_corners.push_back(corners_at(patch, corners.data() + i, (std::min)(2, first[v + 1] - i)));
-    }
-  }
+    : Vertex_sweep(patch, division, Incident_corners(patch), balance)
+  {}
 
   /// visits every vertex once, as if in the order of the division; \p uv has no flips before nor after
   /// \param to_rectangle what takes the unit square to the rectangle of the energy
@@ -72,6 +52,20 @@ public:
 
 private:
   static constexpr std::size_t SEPARATORS_AT_A_TIME = 256;
+
+  Vertex_sweep(const Patch& patch, const Patch_division& division, const Incident_corners& incident, double balance)
+    : m_division(division), m_order(patch, division, incident), m_balance(balance), m_first(patch.points.size() + 1, 0)
+  {
+    const int n = patch.number_of_vertices();
+    for(int place = 0; place < n; ++place)
+      m_first[place + 1] = m_first[place] + (incident[m_order.vertex(place)].size() + 1) / 2;
+    m_corners.reserve(m_first.back());
+    for(int place = 0; place < n; ++place) {
+      const Incident_corners::Range corners = incident[m_order.vertex(place)];
+      for(int i = 0; i < corners.size(); i += 2)
+        m_corners.push_back(corners_at(patch, corners.begin() + i, (std::min)(2, corners.size() - i)));
+    }
+  }
 
   void sweep_range(Patch_division::Range places, const Free_coordinates& is_free,
                    const Eigen::RowVector2d& to_rectangle, Uv_coordinates& uv) const
@@ -117,14 +111,13 @@ private:
     std::array<int, 2> q, r; // the next two corners of the triangles
   };
 
-  /// \param faces of each a face, and the number of its corner there
-  /// \param number of them, 1 or 2
-  static Corners corners_at(const Patch& patch, const std::array<int, 2>* faces, int number)
+  /// \param number of corners, 1 or 2
+  static Corners corners_at(const Patch& patch, const Incident_corners::Corner* corners, int number)
   {
     Corners result;
     std::array<Corner_shape, 2> shapes{};
     for(int i = 0; i < 2; ++i) {
-      const auto [f, k] = faces[(std::min)(i, number - 1)];
+      const auto [f, k] = corners[(std::min)(i, number - 1)];
       result.q[i] = patch.triangles[f][(k + 1) % 3];
       result.r[i] = patch.triangles[f][(k + 2) % 3];
       shapes[i] = corner_shape(patch.shapes[f], k);

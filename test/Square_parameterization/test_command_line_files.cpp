@@ -44,6 +44,18 @@ TEST_CASE("an empty file is refused")
   }
 }
 
+TEST_CASE("a file of another kind is called so")
+{
+  const std::vector<std::pair<std::string, std::string>> kinds{{"\x1f\x8b\x08", "a file compressed by gzip"},
+                                                               {"PK\x03\x04", "a zip archive"},
+                                                               {"\xff\xfev ", "text in UTF-16"},
+                                                               {"<!DOCTYPE html>", "XML or HTML"},
+                                                               {"glTF", "binary glTF"}};
+  for(const auto& [beginning, kind] : kinds)
+    for(const char* name : {"in.off", "in.obj", "in.ply", "in.stl"})
+      check_refusal_of_text(name, beginning + std::string(500, 'x'), BAD_FILE, "; it begins as " + kind);
+}
+
 TEST_CASE("a truncated file is refused")
 {
   const std::string facets = stl(small);

@@ -105,6 +105,32 @@ TEST_CASE("PLY files are read with the other names of the types, and with a byte
     check_sheet("in.ply", replaced(text, "property double", std::string("property ") + name));
   for(const std::string& any : {text, binary_ply(small)})
     check_sheet("in.ply", "\xef\xbb\xbf" + any);
+  // another property has the other name of the list
+  const std::string faces = counted_rows(small.faces), points = text.substr(0, text.size() - faces.size());
+  check_sheet("in.ply", replaced(points, "property list uchar int vertex_indices",
+                                 "property int vertex_indices\nproperty list uchar int vertex_index") +
+                            "7 " + replaced(faces.substr(0, faces.size() - 1), "\n", "\n7 ") + "\n");
+}
+
+TEST_CASE("the data of a binary PLY file begin behind a carriage return, also with the byte of a line feed")
+{
+  Soup soup = small;
+  const float x = 0.5f + 5 / 8388608.f; // 0a 00 00 3f
+  soup.points[0][0] = double(x);
+  std::string text = replaced(ply_header(soup, "binary_little_endian"), "property double", "property float");
+  text = replaced(text, "\n", "\r");
+  for(const Point& p : soup.points)
+    for(double coordinate : p)
+      text += bytes(float(coordinate));
+  for(const Face& face : soup.faces) {
+    text += '\3';
+    for(long v : face)
+      text += bytes(std::int32_t(v));
+  }
+  const Temporary_folder folder;
+  const Mapped mapped = check_map(folder.add("in.ply", text));
+  CHECK(mapped.map.points[0][0] == double(x));
+  CHECK(mapped.map.faces == soup.faces);
 }
 
 TEST_CASE("PLY files are read with integer coordinates, and with elements and properties that are not needed")
@@ -302,8 +328,41 @@ TEST_CASE("STL files are read in any case and with any name, binary ones also wh
        replaced(text, "normal 0 0 0", "normal"), replaced(text, " normal 0 0 0", ""), "  " + text,
        text + text.substr(0, 12) + "endsolid\n", "\xef\xbb\xbf" + text})
     check_sheet("in.stl", variant);
+  check_sheet("in.stl", replaced(text, "solid sheet\n", "solid facet normal 1 0 0 x\n"));
+  for(const char* name : {"facet", "a facet", "a facet facet"}) // before a facet on the same line
+    check_sheet("in.stl",
+                replaced(replaced(text, "\n", " "), "solid sheet facet", std::string("solid ") + name + " facet"));
   std::string binary = binary_stl(small);
   check_sheet("in.stl", binary.replace(0, 12, "solid facet "));
   check_sheet("in.stl", binary.replace(0, 3, "\xEF\xBB\xBF"));
   check_sheet("in.stl", binary_stl(small) + "after the last facet");
+  check_sheet("in.stl", binary_stl(small).replace(0, 3, "\xEF\xBB\xBF") + "after the last facet");
+}
+
+TEST_CASE("STL files are read with several solids, whatever stands between them, and on one line")
+{
+  const std::string text = stl(small), end = "endfacet\n";
+  const std::size_t middle = text.find(end, text.size() / 2) + end.size();
+  const auto parted = [&](const std::string& between) {
+    return text.substr(0, middle) + between + text.substr(middle);
+  };
+  for(const char* name : {"", " b", " solid b", " facet b"}) {
+    const std::string end_and_begin = std::string("endsolid") + name + "\nsolid" + name + "\n";
+    check_sheet("in.stl", parted(end_and_begin));
+    check_sheet("in.stl", parted(uppercase(end_and_begin)));
+    check_sheet("in.stl", replaced(parted(end_and_begin), "\n", " "));
+  }
+  const Mapped mapped = check_sheet("in.stl", parted("endsolid a\n; a note\n\n# and one more\nsolid b\n") + "the end");
+  CHECK(mapped.report["input"]["passed_over"] == nlohmann::json{{"lines outside solids", 3}});
+}
+
+TEST_CASE("OFF files are read with the numbers of points and faces on any lines")
+{
+  const std::string text = off(small), faces = counted_rows(small.faces);
+  const std::string on_one_line = replaced(text.substr(0, text.size() - faces.size()), "\n", " ");
+  check_sheet("in.off", replaced(text, " ", "\n"));
+  check_sheet("in.off", on_one_line + faces);
+  check_sheet("in.off", on_one_line + replaced(faces, "\n", " 255 0 0\n"));
+  check_refusal_of_text("in.off", on_one_line + "0 " + faces, BAD_FILE); // a number too many
+  check_refusal_of_text("in.off", on_one_line + faces + "0\n", BAD_FILE);
 }

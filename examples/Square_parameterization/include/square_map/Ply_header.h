@@ -126,6 +126,17 @@ inline void check_ply_header(const Ply_header& header)
   }
 }
 
+/// goes to the end of the last line of a header. Where the first line ends in a carriage return alone this one does, too: a
+/// line feed behind it is the first byte of the data.
+inline void skip_last_line(std::string_view text, Text_scanner& scanner)
+{
+  const std::size_t first_end = text.find_first_of("\r\n");
+  if(text.substr(first_end, 1) == "\r" && text.substr(first_end + 1, 1) != "\n")
+    scanner.go_to(std::min(text.find('\r', scanner.place()), text.size()));
+  else
+    scanner.skip_line();
+}
+
 /// reads the header of a PLY file, line by line
 inline Ply_header read_ply_header(std::string_view text)
 {
@@ -137,7 +148,7 @@ inline Ply_header read_ply_header(std::string_view text)
   for(scanner.skip_line(); scanner.find_word(); scanner.skip_line()) {
     const std::string_view keyword = scanner.next_word();
     if(keyword == "end_header") {
-      scanner.skip_line();
+      skip_last_line(text, scanner);
       header.data = std::min(scanner.place() + 1, text.size());
       if(!has_format)
         throw Malformed_file("its header does not name a format");

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace square_map {
 
@@ -28,7 +29,7 @@ inline std::optional<File_format> format_of_content(std::string_view text)
     return File_format::OFF;
   if(begins_with_solid(text))
     return File_format::STL;
-  if(word == "v" || word == "f" || unused_obj_lines().count(word) != 0)
+  if(word == "v" || word == "f" || word == "fo" || unused_obj_lines().count(word) != 0)
     return File_format::OBJ;
   return {};
 }
@@ -51,11 +52,35 @@ inline File_format format_of(const std::string& path, bool is_stream, std::strin
                        "; .off, .obj, .ply or .stl was expected, or --input-format");
 }
 
+/// the text without a byte order mark, which a binary STL file may begin with by chance
+inline std::string_view text_of_bytes(std::string_view bytes)
+{
+  const std::string_view text = without_byte_order_mark(bytes);
+  const bool has_zeros = bytes.substr(0, STL_HEADER_BYTES).find('\0') != std::string_view::npos;
+  return has_size_of_binary_stl(bytes) || (has_zeros && !format_of_content(text)) ? bytes : text;
+}
+
+/// what a file is that begins as none of those that are read; empty when that is not known
+inline std::string kind_of_other_file(std::string_view bytes)
+{
+  static const std::pair<std::string_view, const char*> kinds[] = {{"\x1f\x8b", "a file compressed by gzip"},
+                                                                   {"PK\x03\x04", "a zip archive"},
+                                                                   {"\xff\xfe", "text in UTF-16"},
+                                                                   {"\xfe\xff", "text in UTF-16"},
+                                                                   {"glTF", "binary glTF"},
+                                                                   {"<", "XML or HTML"}};
+  for(const auto& [beginning, kind] : kinds)
+    if(bytes.substr(0, beginning.size()) == beginning)
+      return kind;
+  return "";
+}
+
 /// what to say after the reason why a file could not be read in a format: that it begins as one of another
 inline std::string other_format(std::string_view text, File_format format)
 {
   const std::optional<File_format> begun = format_of_content(text);
-  return begun && *begun != format ? std::string("; it begins as ") + name_of(*begun) : "";
+  const std::string other = !begun ? kind_of_other_file(text) : *begun != format ? name_of(*begun) : "";
+  return other.empty() ? "" : "; it begins as " + other;
 }
 
 } // namespace square_map

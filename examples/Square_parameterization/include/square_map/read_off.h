@@ -16,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace square_map {
@@ -135,6 +136,57 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
   }
 }
 
+/// points and faces whose numbers follow each other on any lines, as the format has them where nothing but colors stands behind
+/// a face; none when they are not these to the end
+inline std::optional<CGAL_ext::internal::Surface_soup> read_off_numbers(Text_scanner scanner, const Off_header& header)
+{
+  CGAL_ext::internal::Surface_soup soup;
+  for(std::size_t v = 0; v < header.vertices; ++v) {
+    Eigen::Vector4d p(0, 0, 0, 1);
+    for(int k = 0; k < (header.is_homogeneous ? 4 : 3); ++k) {
+      const auto number = parse_real(scanner.next_word_anywhere());
+      if(!number)
+        return {};
+      p[k] = *number;
+    }
+    soup.points.emplace_back(p.head<3>() / p[3]);
+  }
+  for(std::size_t f = 0; f < header.faces; ++f, scanner.skip_line()) {
+    const auto size = parse_integer<std::uint32_t>(scanner.next_word_anywhere());
+    if(!size || *size < 3)
+      return {};
+    std::vector<std::size_t>& face = soup.faces.emplace_back();
+    for(std::uint32_t k = 0; k < *size; ++k) {
+      const auto index = parse_integer<std::uint64_t>(scanner.next_word_anywhere());
+      if(!index || *index >= header.vertices)
+        return {};
+      face.push_back(*index);
+    }
+  }
+  return scanner.find_word() ? std::nullopt : std::make_optional(std::move(soup));
+}
+
+/// reads points and faces, one a line, or else on any lines
+inline CGAL_ext::internal::Surface_soup read_off_rows(Text_scanner scanner, const Off_header& header,
+                                                      Passed_over& passed_over, Vertex_colors* colors)
+{
+  const Text_scanner begin = scanner;
+  try {
+    CGAL_ext::internal::Surface_soup soup;
+    read_off_points(scanner, header, soup, colors);
+    read_off_faces(scanner, header, soup);
+    if(header.faces > 0)
+      pass_over_rest("lines", scanner.skip_lines(), "face " + std::to_string(header.faces - 1), passed_over);
+    return soup;
+  } catch(const Malformed_file&) {
+    const bool has_more = header.has_textures || header.has_colors || header.has_normals;
+    auto soup = has_more ? std::nullopt : read_off_numbers(begin, header);
+    if(!soup)
+      throw;
+    return std::move(*soup);
+  }
+}
+
 /// reads an OFF file: text or binary, with any of the letters for texture coordinates, colors, normals, homogeneous
 /// coordinates and a dimension before its keyword. What follows the last face is added to
 /// \p passed_over.
@@ -151,13 +203,8 @@ inline CGAL_ext::internal::Surface_soup read_off(std::string_view text, Passed_o
                              colors);
     scanner.go_back(place);
   }
-  CGAL_ext::internal::Surface_soup soup;
   read_off_counts(scanner, header);
-  read_off_points(scanner, header, soup, colors);
-  read_off_faces(scanner, header, soup);
-  if(header.faces > 0)
-    pass_over_rest("lines", scanner.skip_lines(), "face " + std::to_string(header.faces - 1), passed_over);
-  return soup;
+  return read_off_rows(scanner, header, passed_over, colors);
 }
 
 } // namespace square_map

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -30,6 +31,16 @@ inline std::size_t ply_property_of(const Ply_element& element, const std::string
   while(k < element.properties.size() && element.properties[k].name != name)
     ++k;
   return k;
+}
+
+/// the place of the first property of one of these names that is a list; as many as there are properties when there is none
+inline std::size_t ply_list_of(const Ply_element& element, std::initializer_list<const char*> names)
+{
+  for(const char* name : names)
+    if(const std::size_t k = ply_property_of(element, name);
+       k < element.properties.size() && element.properties[k].is_list)
+      return k;
+  return element.properties.size();
 }
 
 /// the number of entries of a list
@@ -129,10 +140,8 @@ template <class Values>
 void read_ply_faces(Values& values, const Ply_element& element, std::size_t vertices,
                     CGAL_ext::internal::Surface_soup& soup)
 {
-  std::size_t indices = ply_property_of(element, "vertex_indices");
+  const std::size_t indices = ply_list_of(element, {"vertex_indices", "vertex_index"});
   if(indices == element.properties.size())
-    indices = ply_property_of(element, "vertex_index");
-  if(indices == element.properties.size() || !element.properties[indices].is_list)
     throw Malformed_file("its faces have no list vertex_indices or vertex_index");
   soup.faces.reserve(std::min(element.count, values.bytes_left()));
   for(std::size_t f = 0; f < element.count; ++f) {

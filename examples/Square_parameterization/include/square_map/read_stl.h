@@ -132,8 +132,8 @@ public:
   /// \param text must live as long as the reader
   explicit Ascii_stl_reader(std::string_view text) : m_scanner(text) {}
 
-  /// reads all solids; what follows the last one is passed over
-  CGAL_ext::internal::Surface_soup read()
+  /// reads all solids; lines outside them are added to \p passed_over
+  CGAL_ext::internal::Surface_soup read(Passed_over& passed_over)
   {
     expect("solid");
     do {
@@ -143,16 +143,18 @@ public:
           m_scanner.refuse(word, "facet or endsolid");
         read_facet();
       }
-      m_scanner.skip_line();
-    } while(begins_solid());
+      skip_end_name();
+    } while(find_solid(passed_over));
     return std::move(m_facets.soup());
   }
 
 private:
   /// the next word of a solid, the last of which is endsolid
-  std::string_view next()
+  std::string_view next() { return checked(m_scanner.next_word_anywhere()); }
+
+  /// a word of a solid; refuses a file that ends before or with it
+  std::string_view checked(std::string_view word) const
   {
-    const std::string_view word = m_scanner.next_word_anywhere();
     if(word.empty() || (m_scanner.bytes_left() == 0 && !boost::iequals(word, "endsolid")))
       throw Malformed_file("it is incomplete: it ends " +
                            (m_is_in_facet ? "in facet " + std::to_string(m_facets.size())
@@ -160,17 +162,21 @@ private:
     return word;
   }
 
-  /// after a solid, reads the word with which another one begins; false when there is none
-  bool begins_solid()
+  /// after a solid, goes past the word with which the next one begins; false when there is none
+  bool find_solid(Passed_over& passed_over)
   {
-    const std::string_view word = m_scanner.next_word_anywhere();
-    if(boost::iequals(word, "facet"))
-      m_scanner.refuse(word, "solid");
     const std::string_view keyword = "solid";
-    if(!word.empty() && word.size() < keyword.size() && m_scanner.bytes_left() == 0 &&
-       boost::istarts_with(keyword, word))
-      throw Malformed_file("it is incomplete: it ends in the word solid");
-    return boost::iequals(word, keyword);
+    for(; m_scanner.find_word(); m_scanner.skip_line()) {
+      const std::string_view word = m_scanner.next_word();
+      if(boost::iequals(word, keyword))
+        return true;
+      if(boost::iequals(word, "facet"))
+        m_scanner.refuse(word, "solid");
+      if(word.size() < keyword.size() && m_scanner.bytes_left() == 0 && boost::istarts_with(keyword, word))
+        throw Malformed_file("it is incomplete: it ends in the word solid");
+      ++passed_over["lines outside solids"];
+    }
+    return false;
   }
 
   void expect(const std::string& keyword)
@@ -180,37 +186,59 @@ private:
       m_scanner.refuse(word, keyword);
   }
 
-  /// passes over the name of a solid: the rest of the line, or what is before the words facet normal and a number on it
+  /// passes over the name of a solid: the rest of the line, or what is before a facet on it
   void skip_name()
   {
     while(!m_scanner.is_line_end()) {
       const std::size_t place = m_scanner.place();
-      if(boost::iequals(m_scanner.next_word(), "facet") && boost::iequals(m_scanner.next_word(), "normal") &&
-         parse_real(m_scanner.next_word())) {
+      Text_scanner ahead = m_scanner;
+      if(boost::iequals(m_scanner.next_word(), "facet") && begins_facet(ahead)) {
         m_scanner.go_back(place);
         return;
       }
     }
   }
 
-  /// passes over a normal, which is not needed: some writers leave it out, or write one that is no number as `1.#QNAN`
-  void skip_normal()
+  /// passes over the name after endsolid: the rest of the line, or what is before another solid that has a facet on it
+  void skip_end_name()
   {
-    std::string_view word = next();
-    if(boost::iequals(word, "normal")) {
-      word = next();
-      for(int component = 0; component < 3 && !boost::iequals(word, "outer"); ++component)
-        word = next();
+    while(!m_scanner.is_line_end()) {
+      const std::size_t place = m_scanner.place();
+      if(!boost::iequals(m_scanner.next_word(), "solid"))
+        continue;
+      skip_name();
+      if(!m_scanner.is_line_end())
+        m_scanner.go_back(place);
+      return;
     }
-    if(!boost::iequals(word, "outer"))
-      m_scanner.refuse(word, "normal or outer loop");
+  }
+
+  /// indicates whether the word facet, which is the next, is none of a name: words follow it as in a facet, as far as there are
+  static bool begins_facet(Text_scanner scanner)
+  {
+    scanner.next_word();
+    const std::string_view word = word_after_normal(scanner);
+    return word.empty() || boost::iequals(word, "outer");
+  }
+
+  /// passes over a normal, which is not needed: some writers leave it out, or write one that is no number as `1.#QNAN`
+  static std::string_view word_after_normal(Text_scanner& scanner)
+  {
+    std::string_view word = scanner.next_word_anywhere();
+    if(boost::iequals(word, "normal")) {
+      word = scanner.next_word_anywhere();
+      for(int component = 0; component < 3 && !boost::iequals(word, "outer"); ++component)
+        word = scanner.next_word_anywhere();
+    }
+    return word;
   }
 
   /// reads what follows the word facet
   void read_facet()
   {
     m_is_in_facet = true;
-    skip_normal();
+    if(const std::string_view word = checked(word_after_normal(m_scanner)); !boost::iequals(word, "outer"))
+      m_scanner.refuse(word, "normal or outer loop");
     expect("loop");
     std::array<std::array<double, 3>, 3> corners{};
     for(auto& corner : corners) {
@@ -247,7 +275,7 @@ inline CGAL_ext::internal::Surface_soup read_stl(std::string_view bytes, Passed_
   const bool is_text = begins_with_solid(bytes) && !has_size_of_binary_stl(bytes) &&
                        bytes.substr(0, STL_HEADER_BYTES).find('\0') == std::string_view::npos;
   if(is_text)
-    return Ascii_stl_reader(bytes).read();
+    return Ascii_stl_reader(bytes).read(passed_over);
   if(bytes.size() < STL_HEADER_BYTES)
     throw Malformed_file("it neither begins with the word solid nor has the 84 bytes of a binary header");
   return read_binary_stl(bytes, passed_over);

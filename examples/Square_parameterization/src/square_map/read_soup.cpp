@@ -75,8 +75,7 @@ CGAL_ext::internal::Surface_soup read_soup(const std::string& path, const std::s
   std::string reader, hint; // in messages
   try {
     const File_bytes file = read_bytes(path);
-    const std::string_view text =
-        has_size_of_binary_stl(file.bytes) ? std::string_view(file.bytes) : without_byte_order_mark(file.bytes);
+    const std::string_view text = text_of_bytes(file.bytes);
     const File_format format =
         format_name.empty() ? format_of(path, file.is_stream, text) : file_formats().at(format_name);
     if(text.empty())

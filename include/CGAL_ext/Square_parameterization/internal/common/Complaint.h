@@ -33,6 +33,7 @@ public:
     if(!places.empty())
       text += count > places.size() ? ", ...)" : ")";
     say(text);
+    m_has_places |= !places.empty();
   }
 
   /// all that was said; empty for nothing
@@ -41,11 +42,13 @@ public:
   void throw_if_any(CGAL::Surface_mesh_parameterization::Error_code code) const
   {
     if(!m_text.empty())
-      throw Unmappable(code, "the surface cannot be mapped: " + m_text);
+      throw Unmappable(code, "the surface cannot be mapped: " + m_text +
+                                 (m_has_places ? "; vertices and faces are counted from 0" : ""));
   }
 
 private:
   std::string m_text;
+  bool m_has_places = false;
 };
 
 constexpr std::size_t NAMED_PLACES = 3; // as many places are named in a message

@@ -21,6 +21,8 @@
 #include <iostream>
 #include <numeric>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 namespace {
@@ -244,10 +246,18 @@ Exit_status show(const std::string& text)
   return DONE;
 }
 
-/// tells why there is no map. Allocates nothing: there may be no memory left.
+/// tells why there is no map, on one line: the name of a file may have others. Allocates nothing where it has not, for there
+/// may be no memory left.
 Exit_status fail(const char* reason, Exit_status status)
 {
-  std::cerr << "square_map: " << reason << '\n';
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  const std::string_view text(reason);
+  if(std::any_of(text.begin(), text.end(), is_control)) {
+    std::string line(text);
+    std::replace_if(line.begin(), line.end(), is_control, '?');
+    std::cerr << "square_map: " << line << '\n';
+  } else
+    std::cerr << "square_map: " << reason << '\n';
   return status;
 }
 

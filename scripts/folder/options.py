@@ -75,5 +75,5 @@ def arguments_and_outputs(options):
             arguments.append((name, value))
     named = {name: NAMES[name] + ending for name, ending in outputs.items() if ending != 'none'}
     if threads is not None and not (threads.isdecimal() and int(threads) <= 1000000):
-        raise Unusable("--threads must be a number from 0 to 1000000; not '%s'" % threads)
+        raise Unusable("--threads must be a whole number from 0 to 1000000; not '%s'" % threads)
     return words_of(arguments), named, None if threads is None else int(threads)

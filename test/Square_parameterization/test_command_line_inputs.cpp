@@ -76,6 +76,7 @@ TEST_CASE("a stream that holds no surface is refused")
       {"square_map - < /dev/null", "cannot read standard input: it is empty"},
       {"square_map - <&-", "cannot read standard input: it is closed"},
       {"echo nothing at all | square_map -", "it does not begin as an OFF, OBJ, PLY or STL file"},
+      {"echo fo 1 2 3 | square_map -", "standard input as OBJ: line 1: a face names vertex 3"},
       {"echo OFF 4000000000 4000000000 0 | square_map -", "standard input as OFF: it is incomplete"},
       {"printf 'ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
        "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n' | square_map -",
@@ -171,7 +172,7 @@ TEST_CASE("seams that are not a file are refused")
   check_refusal(folder, {input, "--seams", folder / "folder"}, BAD_FILE, "it is a folder");
   check_refusal(folder, {input, "--seams", folder / "pipe"}, BAD_FILE, "it is a pipe; a file was expected");
   check_refusal(folder, {input, "--seams", folder / "missing"}, BAD_FILE, "there is no such file");
-  check_refusal(folder, {input, "--seams", "-"}, BAD_FILE, "there is no such file"); // not standard input
+  check_refusal(folder, {input, "--seams", "-"}, BAD_COMMAND_LINE, "- is standard input for the surface alone");
 }
 
 TEST_CASE("the surface that is mapped is written as binary STL")

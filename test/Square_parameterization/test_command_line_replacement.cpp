@@ -95,6 +95,24 @@ TEST_CASE("the mode and the owner of an existing file are kept")
   }
 }
 
+TEST_CASE("what the owner or the group of a file was trusted with is not passed on to others")
+{
+  constexpr uid_t NOBODY = 65534;
+  if(geteuid() != 0)
+    return; // only the superuser can be another user
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), map = folder.add("map.obj", "my map");
+  std::filesystem::permissions(folder / "", std::filesystem::perms::all);
+  const auto as_nobody = [] { REQUIRE((setgid(NOBODY) == 0 && setuid(NOBODY) == 0)); };
+  for(const auto& [before, after] : {std::pair<mode_t, mode_t>{04777, 0777}, {02777, 0777}, {0662, 0622}}) {
+    REQUIRE(chown(map.c_str(), 12345, 54321) == 0);
+    chmod(map.c_str(), before);
+    CHECK(square_map({input, "-q", "-o", map}, "", as_nobody).status == DONE);
+    CHECK(read_file(map) != "my map");
+    CHECK(mode_of(map) == after);
+  }
+}
+
 TEST_CASE("two outputs that are one file are refused, however they are spelled")
 {
   const Temporary_folder folder;
@@ -141,6 +159,20 @@ TEST_CASE("two outputs that are one file are refused, however they are spelled")
   CHECK(nlohmann::json::parse(read_file(folder / "A.obj")).is_object());
 }
 
+TEST_CASE("two outputs that are one pipe are refused, however they are spelled")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small));
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  std::filesystem::create_hard_link(folder / "pipe", folder / "other");
+  for(const auto& [a, b] : std::vector<std::array<std::string, 2>>{
+          {folder / "pipe", folder / "other"}, {"/dev/fd/1", "-"}, {"/proc/self/fd/1", "/dev/stdout"}}) {
+    const Finished_process result = square_map({input, "--svg", a, "--json", b}); // standard output is a pipe
+    CHECK(result.status == BAD_COMMAND_LINE);
+    CHECK(is_one_message(result.err, "are the same file"));
+  }
+}
+
 TEST_CASE("a pipe and a device are written in place")
 {
   const Temporary_folder folder;
@@ -154,6 +186,31 @@ TEST_CASE("a pipe and a device are written in place")
   const Finished_process to_stream = square_map({input, "-q", "--json", "/dev/stdout"});
   CHECK(to_stream.status == DONE);
   CHECK(nlohmann::json::parse(to_stream.out).is_object());
+}
+
+TEST_CASE("in a working folder whose path is longer than paths may be, outputs are written by a relative name")
+{
+  const Temporary_folder folder;
+  const std::string input = folder.add("in.off", off(small)), name(200, 'd');
+  const auto in_deep_folder = [&] {
+    REQUIRE(chdir((folder / "").c_str()) == 0);
+    for(int depth = 0; depth < 25; ++depth) {
+      mkdir(name.c_str(), 0700);
+      REQUIRE(chdir(name.c_str()) == 0);
+    }
+  };
+  for(int run = 0; run < 2; ++run) { // the second one replaces the files of the first
+    const Finished_process result =
+        square_map({input, "-o", "map.obj", "--svg", "map.svg", "--json", "report.json"}, "", in_deep_folder);
+    INFO(result.err);
+    CHECK(result.status == DONE);
+  }
+  const auto reads_map = [&] {
+    in_deep_folder();
+    std::ifstream map("map.obj");
+    _exit(map.peek() == 'v' ? DONE : BAD_FILE);
+  };
+  CHECK(square_map({input}, "", reads_map).status == DONE);
 }
 
 TEST_CASE("in a working folder that is gone, outputs cannot be written by a relative name")

@@ -190,7 +190,13 @@ TEST_CASE("closed standard streams are not mistaken for outputs")
       close(stream);
   };
   CHECK(square_map({input, "-o", map, "--json", "-"}, "", close_all).status == BAD_COMMAND_LINE);
+  for(const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "/dev/stderr"})
+    CHECK(square_map({input, "-o", map, "--json", name}, "", close_all).status == BAD_COMMAND_LINE);
+  CHECK(square_map({"/dev/stdin", "-o", map}, "", close_all).status == BAD_FILE);
   CHECK(folder.file_names() == std::set<std::string>{"in.off"});
+  const Finished_process result = square_map({input, "--json", "/dev/stdout"}, "", [] { close(STDOUT_FILENO); });
+  CHECK(result.status == BAD_COMMAND_LINE);
+  CHECK(is_one_message(result.err, "cannot write '/dev/stdout': it is closed"));
   CHECK(square_map({input, "-o", map, "--json", folder / "report.json"}, "", close_all).status == DONE);
   CHECK(read_obj_map(read_file(map)).uv.size() == small.points.size());
   CHECK(nlohmann::json::parse(read_file(folder / "report.json")).is_object());

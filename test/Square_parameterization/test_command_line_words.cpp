@@ -45,9 +45,25 @@ TEST_CASE("an option is no name of a file")
                             "--normal-map", "--attributes", "--grid-mesh", "--curve"})
     check_refusal(folder, {input, option, "--quiet"}, BAD_COMMAND_LINE, "needs the name of a file, not the option");
   check_refusal(folder, {input, "--json", "-q"}, BAD_COMMAND_LINE, "--json");
+  for(const char* output : {"-o", "--output"}) // the next value is left over
+    check_refusal(folder, {input, output, "--json", "-"}, BAD_COMMAND_LINE,
+                  std::string(output) + " needs a value, not the option --json");
+  for(const char* option : {"--seams", "--texture", "--curve"})
+    check_refusal(folder, {input, "-o", folder / "map.obj", "--strategy", "brute-force", option, "-"}, BAD_COMMAND_LINE,
+                  "- is standard input for the surface alone");
   const auto in_folder = [&] { CHECK(chdir((folder / "").c_str()) == 0); };
   CHECK(square_map({input, "-q", "-o", "./--map.obj"}, "", in_folder).status == DONE);
   CHECK(folder.file_names() == std::set<std::string>{"--map.obj", "in.off"});
+}
+
+TEST_CASE("a message is one line, also where the name of a file has several")
+{
+  const Temporary_folder folder;
+  check_refusal(folder, {folder / "a\nb.off"}, BAD_FILE, "a?b.off': there is no such file");
+  const std::string input = folder.add("in.off", off(small));
+  check_refusal(folder, {input, "-o", folder / "a\nf 1 1 1.obj", "--texture", "checker"}, BAD_COMMAND_LINE,
+                "the name of the output has a line break");
+  CHECK(square_map({input, "-q", "-o", folder / "a\nb.obj"}).status == DONE);
 }
 
 TEST_CASE("a list of corners may have blanks")

@@ -10,6 +10,8 @@
 #include "parse_number.h"
 #include "write_map.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -20,6 +22,15 @@
 #include <vector>
 
 namespace square_map {
+
+/// indicates whether a word of the command line is the name of an option that takes a value
+inline bool takes_value(const boost::program_options::options_description& options, const std::string& word)
+{
+  if(word.empty() || word[0] != '-')
+    return false;
+  const auto* const option = options.find_nothrow(word.rfind("--", 0) == 0 ? word.substr(2) : word, false);
+  return option != nullptr && option->semantic()->max_tokens() > 0;
+}
 
 /// reads the options, with the input file; the help text, too
 inline void read_options(int argc, char** argv, Given_options& given, Command_line& line)
@@ -44,6 +55,11 @@ inline void read_options(int argc, char** argv, Given_options& given, Command_li
                   .run(),
               given.all);
     po::notify(given.all);
+  } catch(const po::too_many_positional_options_error& error) {
+    for(int i = 1; i + 1 < argc; ++i)
+      if(takes_value(visible, argv[i]) && takes_value(visible, argv[i + 1])) // which was read as the value
+        throw Usage_error(std::string(argv[i]) + " needs a value, not the option " + argv[i + 1]);
+    throw Usage_error(error.what());
   } catch(const po::error& error) {
     throw Usage_error(error.what());
   }
@@ -61,21 +77,39 @@ inline void check_file_name(const std::string& option, const std::string& name)
                       "; a file of this name is ./" + name);
 }
 
+/// refuses standard input as a file beside the surface
+inline void check_no_stream(const std::string& option, const std::string& name)
+{
+  if(name == "-")
+    throw Usage_error("--" + option + " needs the name of a file: - is standard input for the surface alone");
+}
+
 inline void check_options(const Given_options& given, const Command_line& line)
 {
   if(line.input.empty())
     throw Usage_error("no input file is given");
   if(given.has("input-format"))
     named(file_formats(), "input-format", line.input_format);
-  for(const char* number : {"threads", "patience", "step", "interval", "seed"})
-    if(given.has(number) && (given.all[number].as<int>() < 0 || given.all[number].as<int>() > 1000000))
-      throw Usage_error(std::string("--") + number + " must be a number from 0 to 1000000");
   for(const char* option : {"output", "json", "seams", "texture", "svg", "report", "thumbnail", "image", "normal-map",
                             "attributes", "grid-mesh"})
     if(given.has(option))
       check_file_name(option, given.all[option].as<std::string>());
   for(const std::string& curve : line.curves)
     check_file_name("curve", curve);
+  for(const char* option : {"seams", "texture"})
+    if(given.has(option))
+      check_no_stream(option, given.all[option].as<std::string>());
+  for(const std::string& curve : line.curves)
+    check_no_stream("curve", curve);
+}
+
+/// indicates whether two paths lead to one thing that is there: a file, a folder, or a pipe, which
+/// `std::filesystem::equivalent()` does not compare
+inline bool is_same_thing(const std::filesystem::path& a, const std::filesystem::path& b)
+{
+  struct stat of_a = {}, of_b = {};
+  return stat(a.c_str(), &of_a) == 0 && stat(b.c_str(), &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+         of_a.st_ino == of_b.st_ino;
 }
 
 /// indicates whether two names stand for one file, be there one or not yet: however they are spelled, through links, and
@@ -99,7 +133,7 @@ inline bool is_same_file(const std::string& a, const std::string& b)
     throw_if_out_of_memory(error);
     return error ? absolute.lexically_normal() : canonical;
   };
-  return full_path(path_a) == full_path(path_b) || fs::equivalent(path_a, path_b, error);
+  return full_path(path_a) == full_path(path_b) || is_same_thing(path_a, path_b);
 }
 
 /// refuses a file whose extension is none of those that are known
@@ -151,6 +185,8 @@ inline void check_files(const Command_line& line)
                                  line.grid_mesh};
   files.insert(files.end(), line.curves.begin(), line.curves.end());
   if(has_material(line)) {
+    if(line.output.find_first_of("\r\n") != std::string::npos)
+      throw Usage_error("the name of the output has a line break: no .obj file can name its material so");
     files.push_back(beside(line.output, ".mtl"));
     if(const std::string picture = beside(line.output, ".png"); !is_same_file(line.texture, picture))
       files.push_back(picture);
@@ -190,9 +226,7 @@ inline void set_minimizer(const Given_options& given, Command_line& line)
   if(given.has("balance")) {
     if(balanced == nullptr)
       throw Usage_error("--balance goes with --minimizer optimal");
-    if(!(given.balance >= 0 && given.balance <= 1))
-      throw Usage_error("--balance must be from 0 to 1");
-    balanced->balance = given.balance;
+    balanced->balance = given.number("balance");
   }
   if(given.has("aspect")) {
     if(balanced == nullptr)
@@ -216,13 +250,10 @@ inline void set_iteration(const Given_options& given, CGAL_ext::Square_map_setti
   CGAL_ext::Stretch_minimization& iteration = iteration_of(options.minimization);
   if(given.has("weights"))
     iteration.weights = named(weights(), "weights", given.weights);
-  if(given.has("eta")) {
-    if(!(given.eta > 0 && given.eta <= 1))
-      throw Usage_error("--eta must be above 0 and at most 1");
-    iteration.eta = given.eta;
-  }
+  if(given.has("eta"))
+    iteration.eta = given.number("eta");
   if(given.has("patience"))
-    iteration.patience = given.patience;
+    iteration.patience = static_cast<unsigned int>(given.whole_number("patience"));
 }
 
 /// what is mapped, and how it is cut
@@ -237,8 +268,10 @@ inline void set_surface(const Given_options& given, Command_line& line)
                                "cut", given.cut);
   if(cut.mode != Cut_mode::NONE || !line.seams.empty())
     line.conditioning_options.topology = CGAL_ext::internal::Topology::CONNECTED;
-  if(!cut.is_valid())
-    throw Usage_error("--cut-weight and --max-cut-length must be numbers, 0 or more");
+  if(given.has("cut-weight"))
+    cut.cut_weight = given.number("cut-weight");
+  if(given.has("max-cut-length"))
+    cut.max_cut_length = given.number("max-cut-length");
 }
 
 /// how corners are searched
@@ -250,7 +283,8 @@ inline void set_search(const Given_options& given, Command_line& line)
   if(!given.has("strategy"))
     line.strategy =
         std::holds_alternative<CGAL_ext::Balanced_minimization>(options.minimization) ? "bracketing" : "hybrid";
-  options.search = named(strategies(given.tuning), "strategy", line.strategy);
+  const Tuning tuning{given.whole_number("step"), given.whole_number("interval"), given.whole_number("seed")};
+  options.search = named(strategies(tuning), "strategy", line.strategy);
   if(given.has("candidates")) {
     line.candidates = parse_candidates(given.candidates);
     options.search = Slice_corner_search{options.search.candidate_set(), *line.candidates};
@@ -263,14 +297,11 @@ inline void set_search(const Given_options& given, Command_line& line)
   if(given.has("walk"))
     options.search_options.walk = named<Walk>(
         {{"counter-clockwise", Walk::COUNTER_CLOCKWISE}, {"clockwise", Walk::CLOCKWISE}}, "walk", given.walk);
-  options.search_options.number_of_threads = given.threads;
-  if(given.has("time-limit")) {
-    if(!(given.time_limit > 0 && given.time_limit <= 1e9))
-      throw Usage_error("--time-limit must be above 0 and at most 1e9 seconds");
+  options.search_options.number_of_threads = static_cast<unsigned int>(given.whole_number("threads"));
+  if(given.has("time-limit"))
     options.search_options.deadline =
         std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                               std::chrono::duration<double>(given.time_limit));
-  }
+                                               std::chrono::duration<double>(given.number("time-limit")));
   if(given.has("corners")) {
     line.corners = parse_corners(given.corners);
     line.strategy = "none";

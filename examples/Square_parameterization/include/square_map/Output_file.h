@@ -34,7 +34,8 @@ public:
   {
     if(!m_target.is_direct) {
       make_temporary_file();
-      remove_temporary_file();
+      if(!remove_temporary_file())
+        throw Output_error(m_name, "files cannot be removed from its folder");
     } else if(m_name != "-") {
       m_file.open(m_target.path, std::ios::app); // what an open file such as /dev/stdout holds stays
       if(!m_file)
@@ -146,21 +147,28 @@ private:
     }
   }
 
-  void remove_temporary_file()
+  /// false when it stays
+  bool remove_temporary_file()
   {
     if(m_temporary.empty())
-      return;
-    unlink(m_temporary.c_str());
+      return true;
+    const bool is_removed = unlink(m_temporary.c_str()) == 0;
     temporary_files.forget(m_place);
     m_temporary.clear();
+    return is_removed;
   }
 
-  /// only the superuser may give a file to another user; a file in a group of one's own may be of that
+  /// only the superuser may give a file to another user; a file in a group of one's own may be of that. What the former
+  /// owner or group alone was trusted with is not passed on to others.
   void take_over_mode(const struct stat& former) const
   {
-    if(chown(m_temporary.c_str(), former.st_uid, former.st_gid) != 0) [[maybe_unused]]
-      const int group = chown(m_temporary.c_str(), static_cast<uid_t>(-1), former.st_gid);
-    chmod(m_temporary.c_str(), former.st_mode & 07777);
+    mode_t mode = former.st_mode & 07777;
+    if(chown(m_temporary.c_str(), former.st_uid, former.st_gid) != 0) {
+      mode &= ~mode_t(S_ISUID);
+      if(chown(m_temporary.c_str(), static_cast<uid_t>(-1), former.st_gid) != 0)
+        mode &= ~mode_t(S_ISGID | S_IRWXG) | ((mode & S_IRWXO) << 3); // another group may do what all may
+    }
+    chmod(m_temporary.c_str(), mode);
   }
 
   /// that of any new file

@@ -108,8 +108,8 @@ inline Output_target find_output_target(const std::string& name)
   namespace fs = std::filesystem;
   struct stat status = {};
   if(stat(name.c_str(), &status) == 0) {
-    if(S_ISDIR(status.st_mode))
-      throw Output_error(name, "it is a folder");
+    if(S_ISDIR(status.st_mode)) // what a closed stream was replaced by is one, too
+      throw Output_error(name, names_open_file(name) ? "it is closed" : "it is a folder");
     if(!S_ISREG(status.st_mode) || names_open_file(name))
       return {name, true};
     if((status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0) // the superuser may, but it was meant to stay
@@ -118,6 +118,8 @@ inline Output_target find_output_target(const std::string& name)
       throw Output_error(name, reason_of(errno));
     std::error_code error;
     fs::path path = fs::canonical(name, error);
+    if(error.value() == ENAMETOOLONG && !fs::is_symlink(name))
+      return {name, false}; // short, but in a working folder whose path is too long
     if(error)
       throw Output_error(name, reason_of(error.value()));
     if(is_kept_by_sticky_folder(status, path.parent_path()))
@@ -131,6 +133,8 @@ inline Output_target find_output_target(const std::string& name)
     throw Output_error(name, "it is a link to a file that does not exist");
   const fs::path path = fs::absolute(name, error); // none when the working folder is gone
   const fs::path folder = error ? fs::path() : fs::canonical(path.parent_path(), error);
+  if(error.value() == ENAMETOOLONG)
+    return {name, false}; // as above
   if(error || path.filename().empty())
     throw Output_error(name, reason_of(error ? error.value() : ENOENT));
   return {folder / path.filename(), false};

@@ -4,6 +4,7 @@
 #ifndef SQUARE_MAP_PROGRESS_H
 #define SQUARE_MAP_PROGRESS_H
 
+#include "has_progress_line.h"
 #include "option_list.h"
 
 #include <sys/ioctl.h>
@@ -45,6 +46,7 @@ public:
     if(m_is_shown && m_width > 0)
       std::cerr << '\r' << std::string(m_width, ' ') << '\r' << std::flush;
     m_width = 0;
+    has_progress_line = false;
   }
 
   void cut_progress(double share) override
@@ -136,6 +138,7 @@ private:
       text.resize((std::min)(text.size(), std::size_t(terminal.ws_col) - 1));
     const std::size_t width = text.size();
     text.resize((std::max)(text.size(), m_width), ' '); // over what is left of the line before
+    has_progress_line = true;
     std::cerr << '\r' << text << std::flush;
     m_width = width;
   }

@@ -6,6 +6,7 @@
 
 #include "Resolution.h"
 #include "candidate_slice.h"
+#include "number_options.h"
 #include "option_values.h"
 #include "read_surface.h"
 
@@ -42,15 +43,18 @@ struct Command_line
 struct Given_options
 {
   std::string weights, corner_rule, walk, preset, corners, border, cut, component, resolution, candidates;
-  double eta = 0, balance = 0, time_limit = 0;
   std::string aspect;
   bool keeps_quarters = false;
-  int patience = 0, threads = 0;
-  Tuning tuning;
   boost::program_options::variables_map all;
 
   /// indicates whether the user gave the option; a switch has a value in any case
   bool has(const char* option) const { return all.count(option) != 0 && !all[option].defaulted(); }
+
+  /// the number that the user gave, or a usage error. \pre it was given
+  double number(const char* option) const { return parse_number_option(option, all[option].as<std::string>()); }
+
+  /// the same of an option that takes whole numbers; 0 when it was not given
+  int whole_number(const char* option) const { return has(option) ? static_cast<int>(number(option)) : 0; }
 };
 
 /// the options; what is given goes to \p given, or straight to \p line
@@ -59,6 +63,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   namespace po = boost::program_options;
   po::options_description options("options");
   auto add = options.add_options();
+  const auto number = [] { return po::value<std::string>(); }; // see `Given_options::number()`
   add("help,h", "show this text");
   add("version", "show the versions of this program and of CGAL");
   add("output,o", po::value(&line.output)->value_name("FILE"),
@@ -95,12 +100,13 @@ inline boost::program_options::options_description option_list(Given_options& gi
       "known: the best is mapped, with the outputs of a search of all");
   add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
       "optimal (default): least balanced energy; iterative: Yoshizawa et al.");
-  add("balance", po::value(&given.balance)->value_name("X"),
+  add("balance", number()->value_name("X"),
       "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
   add("aspect", po::value(&given.aspect)->value_name("R"),
       "optimal: width over height of the rectangle, or best; default 1, the square. uv stay in [0, 1]");
   add("quarter-corners", po::bool_switch(&given.keeps_quarters),
-      "optimal: leave the corners where the quarters of the border put them; without it they move on their own");
+      "optimal: leave the corners where the quarters of the border put them, as they are in a slice anyway; without it "
+      "they move on their own");
   add("border", po::value(&given.border)->value_name("NAME"),
       "optimal: fixed or sliding (default); the border of iterative is fixed");
   add("component", po::value(&given.component)->value_name("K"),
@@ -108,9 +114,9 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("triangulate", po::bool_switch(&line.conditioning_options.triangulate), "split faces that are no triangles");
   add("cut", po::value(&given.cut)->value_name("NAME"),
       "how a surface that is not a disk is cut: best (default): for little stretch; shortest; none: it is refused");
-  add("cut-weight", po::value(&line.options.cut.cut_weight)->value_name("X"),
+  add("cut-weight", number()->value_name("X"),
       "best: stretch that a cut of the length sqrt(area) must save; default 0.05");
-  add("max-cut-length", po::value(&line.options.cut.max_cut_length)->value_name("X"),
+  add("max-cut-length", number()->value_name("X"),
       "best: length, in units of sqrt(area), beyond which a cut is not extended");
   add("cut-disk", po::bool_switch(&line.options.cut.cuts_disk),
       "best: cut a disk, too, where L2 falls by more than --cut-weight times the length of the cut");
@@ -123,15 +129,13 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("walk", po::value(&given.walk)->value_name("NAME"),
       "direction in which candidates are counted: counter-clockwise (default), clockwise");
   add("preset", po::value(&given.preset)->value_name("NAME"), "paper: the settings of the published tables");
-  add("step", po::value(&given.tuning.step)->value_name("N"),
-      "step-sampling: distance between samples; 0 (default): sqrt(V m / F)");
-  add("interval", po::value(&given.tuning.interval)->value_name("N"), "hybrid: stride; 0 (default): the step less one");
-  add("seed", po::value(&given.tuning.seed)->value_name("N"), "particle-swarm: seed; default 0");
-  add("eta", po::value(&given.eta)->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
-  add("patience", po::value(&given.patience)->value_name("N"), "iterates that may fail to be lower; default 1");
-  add("threads", po::value(&given.threads)->value_name("N"),
-      "threads; 0 (default) for all cores, fewer on large surfaces");
-  add("time-limit", po::value(&given.time_limit)->value_name("SECONDS"),
+  add("step", number()->value_name("N"), "step-sampling: distance between samples; 0 (default): sqrt(V m / F)");
+  add("interval", number()->value_name("N"), "hybrid: stride; 0 (default): the step less one");
+  add("seed", number()->value_name("N"), "particle-swarm: seed; default 0");
+  add("eta", number()->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
+  add("patience", number()->value_name("N"), "iterates that may fail to be lower; default 1");
+  add("threads", number()->value_name("N"), "threads; 0 (default) for all cores, fewer on large surfaces");
+  add("time-limit", number()->value_name("SECONDS"),
       "then no cut and no candidate is begun any more, and a map in work is left: the best map so far, or exit status "
       "5 when there is none");
   add("corners", po::value(&given.corners)->value_name("a,b,c,d"),

@@ -5,6 +5,7 @@
 #define SQUARE_MAP_OUT_OF_MEMORY_H
 
 #include "Temporary_files.h"
+#include "has_progress_line.h"
 
 #include <signal.h>
 #include <sys/mman.h>
@@ -64,7 +65,7 @@ private:
   {
     temporary_files.remove_all();
     if(was_met || mmap(nullptr, LEAST_ROOM, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED) {
-      for(const char* text : {"square_map: ", OUT_OF_MEMORY, "\n"})
+      for(const char* text : {has_progress_line ? "\n" : "", "square_map: ", OUT_OF_MEMORY, "\n"})
         [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
       _exit(status);
     }

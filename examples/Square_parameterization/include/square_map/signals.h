@@ -5,6 +5,7 @@
 #define SQUARE_MAP_SIGNALS_H
 
 #include "Temporary_files.h"
+#include "has_progress_line.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -50,8 +51,9 @@ extern "C" inline void square_map_end_by_signal(int signal)
                               : signal == SIGQUIT ? "square_map: ended by SIGQUIT; no file was replaced\n"
                                                   : "square_map: no processor time is left; no file was replaced\n";
   pollfd error{STDERR_FILENO, POLLOUT, 0};
-  if(phase == Run_phase::WORKING && poll(&error, 1, 0) == 1) [[maybe_unused]]
-    const auto written = write(STDERR_FILENO, message, std::strlen(message));
+  if(phase == Run_phase::WORKING && poll(&error, 1, 0) == 1)
+    for(const char* text : {has_progress_line ? "\n" : "", message})
+      [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
   _exit(128 + signal);
 }
 
@@ -90,12 +92,13 @@ inline void end_commit()
 }
 
 /// makes sure that standard input, output and error are open: where the caller has closed one, the next file that is
-/// opened would take its place, and be written by mistake. Using the substitute fails.
+/// opened would take its place, and be written by mistake. The substitute is a folder that is open for neither reading nor
+/// writing: using it fails, and opening it once more by a name as /dev/stdout, too.
 inline void open_standard_streams()
 {
   for(int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if(fcntl(stream, F_GETFD) == -1 && errno == EBADF) [[maybe_unused]]
-      const int substitute = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+      const int substitute = open("/", O_PATH | O_DIRECTORY);
 }
 
 } // namespace square_map

@@ -61,6 +61,16 @@ private:
   std::unique_ptr<std::FILE, Close> m_file;
 };
 
+/// why libpng has failed. Throws `std::bad_alloc` where it was for want of memory.
+std::string message_of(const png_image& image)
+{
+  const std::string message(image.message);
+  if(message == "insufficient memory" || message == "out of memory" || message == "png_image_read: out of memory" ||
+     message == "png_image_write_: out of memory")
+    throw std::bad_alloc();
+  return message;
+}
+
 /// \param format of libpng: samples of 16 bits are linear, and written as they are
 template <class Channel>
 std::string png_of_format(const Picture<Channel>& picture, png_uint_32 format)
@@ -72,7 +82,7 @@ std::string png_of_format(const Picture<Channel>& picture, png_uint_32 format)
   image.format = format;
   Memory_file file;
   if(png_image_write_to_stdio(&image, file.file(), 0, picture.pixels.data(), 0, nullptr) == 0)
-    throw std::runtime_error(std::string("libpng cannot write the picture: ") + image.message);
+    throw std::runtime_error("libpng cannot write the picture: " + message_of(image));
   return file.bytes();
 }
 
@@ -132,7 +142,7 @@ Picture<std::uint8_t> read_png(const std::string& bytes)
   image.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, void (*)(png_image*)> owner(&image, png_image_free);
   if(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
-    throw Malformed_file(std::string("it is no PNG picture: ") + image.message);
+    throw Malformed_file("it is no PNG picture: " + message_of(image));
   constexpr png_uint_32 MOST_PIXELS = 1 << 28;
   if(image.height > MOST_PIXELS / image.width)
     throw Malformed_file("the picture has more than 268435456 pixels");
@@ -141,7 +151,7 @@ Picture<std::uint8_t> read_png(const std::string& bytes)
   Picture<std::uint8_t> picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
   picture.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
   if(png_image_finish_read(&image, &background, picture.pixels.data(), 0, nullptr) == 0)
-    throw Malformed_file(std::string("the PNG picture is damaged: ") + image.message);
+    throw Malformed_file("the PNG picture is damaged: " + message_of(image));
   return picture;
 }
 

@@ -3,6 +3,10 @@
 
 #include "test_command_line_checks.h"
 
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
 // Valid files of all kinds: each holds the sheet of the other tests.
 
 namespace {
@@ -362,7 +366,30 @@ TEST_CASE("OFF files are read with the numbers of points and faces on any lines"
   const std::string on_one_line = replaced(text.substr(0, text.size() - faces.size()), "\n", " ");
   check_sheet("in.off", replaced(text, " ", "\n"));
   check_sheet("in.off", on_one_line + faces);
-  check_sheet("in.off", on_one_line + replaced(faces, "\n", " 255 0 0\n"));
+  check_sheet("in.off", replaced(text, "\n", " "));
   check_refusal_of_text("in.off", on_one_line + "0 " + faces, BAD_FILE); // a number too many
   check_refusal_of_text("in.off", on_one_line + faces + "0\n", BAD_FILE);
+}
+
+TEST_CASE("an OFF file of which a row is missing or comes twice is not taken for numbers on any lines")
+{
+  Soup sheet = small;
+  for(Point& p : sheet.points) // coordinates that may be indices, and sizes of faces
+    p = {std::round(p[0]), std::round(p[1]), 3};
+  std::istringstream stream(off(sheet));
+  std::vector<std::string> rows;
+  for(std::string row; std::getline(stream, row);)
+    rows.push_back(row + '\n');
+  const auto joined = [](const std::vector<std::string>& texts) {
+    return std::accumulate(texts.begin(), texts.end(), std::string());
+  };
+  const std::size_t points = sheet.points.size();
+  for(std::size_t k = 2; k < rows.size(); ++k) {
+    std::vector<std::string> fewer = rows, more = rows;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(k));
+    more.insert(more.begin() + std::ptrdiff_t(k), rows[k]);
+    check_refusal_of_text("in.off", joined(fewer), BAD_FILE);
+    if(k < 2 + points) // a face more is passed over behind the last one
+      check_refusal_of_text("in.off", joined(more), BAD_FILE);
+  }
 }

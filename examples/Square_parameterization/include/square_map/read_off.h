@@ -11,6 +11,7 @@
 #include "read_binary_off.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -136,8 +137,15 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
   }
 }
 
-/// points and faces whose numbers follow each other on any lines, as the format has them where nothing but colors stands behind
-/// a face; none when they are not these to the end
+/// indicates whether what follows the counts is hardly meant to be one point or face a line: it has other lines, by a tenth at
+/// least. Where a row is missing, or comes twice, numbers on any lines may make faces, too, but others.
+inline bool has_numbers_on_any_lines(Text_scanner scanner, const Off_header& header)
+{
+  const double rows = double(header.vertices) + double(header.faces), lines = double(scanner.skip_lines());
+  return std::abs(lines - rows) >= std::max(2., 0.1 * rows);
+}
+
+/// points and faces whose numbers follow each other on any lines; none when there are others, or too few
 inline std::optional<CGAL_ext::internal::Surface_soup> read_off_numbers(Text_scanner scanner, const Off_header& header)
 {
   CGAL_ext::internal::Surface_soup soup;
@@ -151,7 +159,7 @@ inline std::optional<CGAL_ext::internal::Surface_soup> read_off_numbers(Text_sca
     }
     soup.points.emplace_back(p.head<3>() / p[3]);
   }
-  for(std::size_t f = 0; f < header.faces; ++f, scanner.skip_line()) {
+  for(std::size_t f = 0; f < header.faces; ++f) {
     const auto size = parse_integer<std::uint32_t>(scanner.next_word_anywhere());
     if(!size || *size < 3)
       return {};
@@ -180,7 +188,7 @@ inline CGAL_ext::internal::Surface_soup read_off_rows(Text_scanner scanner, cons
     return soup;
   } catch(const Malformed_file&) {
     const bool has_more = header.has_textures || header.has_colors || header.has_normals;
-    auto soup = has_more ? std::nullopt : read_off_numbers(begin, header);
+    auto soup = has_more || !has_numbers_on_any_lines(begin, header) ? std::nullopt : read_off_numbers(begin, header);
     if(!soup)
       throw;
     return std::move(*soup);

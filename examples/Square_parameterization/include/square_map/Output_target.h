@@ -118,7 +118,7 @@ inline Output_target find_output_target(const std::string& name)
       throw Output_error(name, reason_of(errno));
     std::error_code error;
     fs::path path = fs::canonical(name, error);
-    if(error.value() == ENAMETOOLONG && !fs::is_symlink(name))
+    if(std::error_code unknown; error.value() == ENAMETOOLONG && !fs::is_symlink(name, unknown))
       return {name, false}; // short, but in a working folder whose path is too long
     if(error)
       throw Output_error(name, reason_of(error.value()));

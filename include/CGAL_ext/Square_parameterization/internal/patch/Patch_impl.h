@@ -64,7 +64,8 @@ CGAL_EXT_INLINE_FUNCTION std::vector<Flat_triangle> shapes_as_given(const Patch&
 CGAL_EXT_INLINE_FUNCTION void refuse_without_extent()
 {
   throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
-                   "the surface has no extent: none of its faces has an area that is more than the rounding of its coordinates");
+                   "the surface has no extent: none of its faces has an area that is more than the rounding of its "
+                   "coordinates");
 }
 
 /// multiplies all lengths

@@ -3,6 +3,7 @@
 // Maps a triangle mesh onto the unit square from the command line; `square_map --help` lists the options.
 
 #include "include/square_map/add_outputs.h"
+#include "include/square_map/closed_streams.h"
 #include "include/square_map/huge_pages.h"
 #include "include/square_map/known_curve.h"
 #include "include/square_map/messages.h"
@@ -246,8 +247,8 @@ Exit_status show(const std::string& text)
   return DONE;
 }
 
-/// tells why there is no map, on one line: the name of a file may have others. Allocates nothing where it has not, for there
-/// may be no memory left.
+/// tells why there is no map, on one line: the name of a file may have others. Allocates for such a name alone: there may be
+/// no memory left.
 Exit_status fail(const char* reason, Exit_status status)
 {
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };

@@ -196,6 +196,8 @@ TEST_CASE("a defect of an STL file is named with its line or its facet")
       {"in.stl", solid, "it is incomplete: it ends without endsolid after 1 facet"},
       {"in.stl", solid + "endsolid x\nsol", "it is incomplete: it ends in the word solid"},
       {"in.stl", solid + "endsolid x\n" + facet, "line 10: solid was expected, not 'facet'"},
+      {"in.stl", replaced(solid + "endsolid x solix y " + facet + "endsolid y", "\n", " "),
+       "line 1: solid was expected, not 'facet'"},
       {"in.stl", "solid x\nfacet abnormal 0 0 1\n", "line 2: normal or outer loop was expected, not 'abnormal'"},
       {"in.stl", "solid x\nfacet normal 0 0 1 2\n", "line 2: normal or outer loop was expected, not '2'"},
       {"in.stl", solid + "vertex 0 0 0\n", "line 9: facet or endsolid was expected, not 'vertex'"},

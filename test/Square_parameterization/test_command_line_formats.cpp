@@ -332,7 +332,8 @@ TEST_CASE("STL files are read in any case and with any name, binary ones also wh
        replaced(text, "normal 0 0 0", "normal"), replaced(text, " normal 0 0 0", ""), "  " + text,
        text + text.substr(0, 12) + "endsolid\n", "\xef\xbb\xbf" + text})
     check_sheet("in.stl", variant);
-  check_sheet("in.stl", replaced(text, "solid sheet\n", "solid facet normal 1 0 0 x\n"));
+  for(const char* name : {"facet normal 1 0 0 x", "facet outer", "a facet outer loop", "solid facet"})
+    check_sheet("in.stl", replaced(text, "solid sheet\n", std::string("solid ") + name + "\n"));
   for(const char* name : {"facet", "a facet", "a facet facet"}) // before a facet on the same line
     check_sheet("in.stl",
                 replaced(replaced(text, "\n", " "), "solid sheet facet", std::string("solid ") + name + " facet"));

@@ -76,6 +76,8 @@ TEST_CASE("a stream that holds no surface is refused")
       {"square_map - < /dev/null", "cannot read standard input: it is empty"},
       {"square_map - <&-", "cannot read standard input: it is closed"},
       {"echo nothing at all | square_map -", "it does not begin as an OFF, OBJ, PLY or STL file"},
+      {"printf '\\037\\213' | square_map -",
+       "it begins as a file compressed by gzip; OFF, OBJ, PLY or STL was expected"},
       {"echo fo 1 2 3 | square_map -", "standard input as OBJ: line 1: a face names vertex 3"},
       {"echo OFF 4000000000 4000000000 0 | square_map -", "standard input as OFF: it is incomplete"},
       {"printf 'ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"

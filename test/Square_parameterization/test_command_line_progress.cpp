@@ -9,6 +9,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <utility>
+
 // The progress line: on a terminal, and nowhere else.
 
 namespace {
@@ -16,7 +19,8 @@ namespace {
 /// what the command writes to a terminal, as its standard error
 struct On_terminal
 {
-  explicit On_terminal(const Arguments& arguments, unsigned short columns = 200)
+  /// \param signal sent as soon as something is written; 0 for none
+  explicit On_terminal(const Arguments& arguments, unsigned short columns = 200, int signal = 0)
   {
     const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
     REQUIRE(terminal >= 0);
@@ -29,8 +33,10 @@ struct On_terminal
     const std::string name = ptsname(terminal);
     Running_process process(arguments, "", [&name] { dup2(open(name.c_str(), O_WRONLY | O_NOCTTY), STDERR_FILENO); });
     char bytes[4096];
-    for(ssize_t count = 0; (count = read(terminal, bytes, sizeof bytes)) > 0;) // fails when the process has ended
+    for(ssize_t count = 0; (count = read(terminal, bytes, sizeof bytes)) > 0;) { // fails when the process has ended
       text.append(bytes, static_cast<std::size_t>(count));
+      process.send(std::exchange(signal, 0)); // 0 is sent to nobody
+    }
     status = process.wait().status;
     close(terminal);
   }
@@ -134,4 +140,12 @@ TEST_CASE("a refusal takes the place of the progress line")
     CHECK(run.text[message - 1] == '\r');
     CHECK(run.text.find("\r\n") + 2 == run.text.size());
   }
+}
+
+TEST_CASE("the message of a signal begins on a line of its own")
+{
+  const Temporary_folder folder;
+  const On_terminal run({folder.add("in.off", off(soup_of(ellipsoid(4, 2)))), "-o", folder / "map.obj"}, 200, SIGINT);
+  CHECK(run.status == 128 + SIGINT);
+  CHECK(run.text.find("\nsquare_map: interrupted by SIGINT; no file was replaced\r\n") != std::string::npos);
 }

@@ -104,7 +104,8 @@ TEST_CASE("what the owner or the group of a file was trusted with is not passed 
   const std::string input = folder.add("in.off", off(small)), map = folder.add("map.obj", "my map");
   std::filesystem::permissions(folder / "", std::filesystem::perms::all);
   const auto as_nobody = [] { REQUIRE((setgid(NOBODY) == 0 && setuid(NOBODY) == 0)); };
-  for(const auto& [before, after] : {std::pair<mode_t, mode_t>{04777, 0777}, {02777, 0777}, {0662, 0622}}) {
+  for(const auto& [before, after] :
+      {std::pair<mode_t, mode_t>{04777, 0777}, {02777, 0777}, {0662, 0622}, {0606, 0600}}) {
     REQUIRE(chown(map.c_str(), 12345, 54321) == 0);
     chmod(map.c_str(), before);
     CHECK(square_map({input, "-q", "-o", map}, "", as_nobody).status == DONE);

@@ -197,6 +197,8 @@ TEST_CASE("closed standard streams are not mistaken for outputs")
   const Finished_process result = square_map({input, "--json", "/dev/stdout"}, "", [] { close(STDOUT_FILENO); });
   CHECK(result.status == BAD_COMMAND_LINE);
   CHECK(is_one_message(result.err, "cannot write '/dev/stdout': it is closed"));
+  const Finished_process folder_of_streams = square_map({input, "--json", "/dev/fd"}, "", [] { close(STDIN_FILENO); });
+  CHECK(is_one_message(folder_of_streams.err, "cannot write '/dev/fd': it is a folder"));
   CHECK(square_map({input, "-o", map, "--json", folder / "report.json"}, "", close_all).status == DONE);
   CHECK(read_obj_map(read_file(map)).uv.size() == small.points.size());
   CHECK(nlohmann::json::parse(read_file(folder / "report.json")).is_object());

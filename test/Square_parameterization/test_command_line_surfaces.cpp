@@ -35,8 +35,7 @@ TEST_CASE("a message that names vertices says from where they are counted, and o
 {
   const Soup bow{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
   for(const auto& [name, text] : {std::pair<std::string, std::string>{"in.off", off(bow)}, {"in.obj", obj(bow)}})
-    check_refusal_of_text(name, text, UNMAPPABLE,
-                          "; vertices and faces are counted from 0");
+    check_refusal_of_text(name, text, UNMAPPABLE, "; vertices and faces are counted from 0");
   const Temporary_folder folder;
   const std::string without = folder.add("in.off", off({small.points, {}}));
   CHECK(square_map({without}).err.find("counted from 0") == std::string::npos);

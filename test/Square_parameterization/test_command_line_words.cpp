@@ -48,6 +48,8 @@ TEST_CASE("an option is no name of a file")
   for(const char* output : {"-o", "--output"}) // the next value is left over
     check_refusal(folder, {input, output, "--json", "-"}, BAD_COMMAND_LINE,
                   std::string(output) + " needs a value, not the option --json");
+  for(const Arguments& rest : {Arguments{"--", "b.off"}, {"-o", "--", "m.obj"}, {"b.off", "c.off"}})
+    check_refusal(folder, Arguments{input} + rest, BAD_COMMAND_LINE, "too many positional options");
   for(const char* option : {"--seams", "--texture", "--curve"})
     check_refusal(folder, {input, "-o", folder / "map.obj", "--strategy", "brute-force", option, "-"}, BAD_COMMAND_LINE,
                   "- is standard input for the surface alone");

@@ -20,9 +20,10 @@ namespace square_map {
 /// indicates whether a word of the command line is the name of an option that takes a value
 inline bool takes_value(const boost::program_options::options_description& options, const std::string& word)
 {
-  if(word.empty() || word[0] != '-')
+  const bool is_long = word.rfind("--", 0) == 0, is_short = !is_long && word.size() == 2 && word[0] == '-';
+  if(!is_short && !(is_long && word.size() > 2))
     return false;
-  const auto* const option = options.find_nothrow(word.rfind("--", 0) == 0 ? word.substr(2) : word, false);
+  const auto* const option = options.find_nothrow(is_long ? word.substr(2) : word, false);
   return option != nullptr && option->semantic()->max_tokens() > 0;
 }
 

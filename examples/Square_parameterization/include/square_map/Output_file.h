@@ -152,21 +152,24 @@ private:
   {
     if(m_temporary.empty())
       return true;
-    const bool is_removed = unlink(m_temporary.c_str()) == 0;
+    const bool is_removed = unlink(m_temporary.c_str()) == 0 || errno == ENOENT;
     temporary_files.forget(m_place);
     m_temporary.clear();
     return is_removed;
   }
 
-  /// only the superuser may give a file to another user; a file in a group of one's own may be of that. What the former
-  /// owner or group alone was trusted with is not passed on to others.
+  /// only the superuser may give a file to another user; a file in a group of one's own may be of that. The rights of
+  /// another owner and group are not passed on: in another group all may do what both the group and all others might.
   void take_over_mode(const struct stat& former) const
   {
     mode_t mode = former.st_mode & 07777;
     if(chown(m_temporary.c_str(), former.st_uid, former.st_gid) != 0) {
-      mode &= ~mode_t(S_ISUID);
-      if(chown(m_temporary.c_str(), static_cast<uid_t>(-1), former.st_gid) != 0)
-        mode &= ~mode_t(S_ISGID | S_IRWXG) | ((mode & S_IRWXO) << 3); // another group may do what all may
+      if(former.st_uid != geteuid())
+        mode &= ~mode_t(S_ISUID);
+      if(chown(m_temporary.c_str(), static_cast<uid_t>(-1), former.st_gid) != 0) {
+        const mode_t of_both = mode >> 3 & mode & S_IRWXO;
+        mode = (mode & ~mode_t(S_ISGID | S_IRWXG | S_IRWXO)) | of_both << 3 | of_both;
+      }
     }
     chmod(m_temporary.c_str(), mode);
   }

@@ -4,6 +4,8 @@
 #ifndef SQUARE_MAP_OUTPUT_TARGET_H
 #define SQUARE_MAP_OUTPUT_TARGET_H
 
+#include "closed_streams.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -108,8 +110,8 @@ inline Output_target find_output_target(const std::string& name)
   namespace fs = std::filesystem;
   struct stat status = {};
   if(stat(name.c_str(), &status) == 0) {
-    if(S_ISDIR(status.st_mode)) // what a closed stream was replaced by is one, too
-      throw Output_error(name, names_open_file(name) ? "it is closed" : "it is a folder");
+    if(S_ISDIR(status.st_mode))
+      throw Output_error(name, is_of_closed_stream(status) ? "it is closed" : "it is a folder");
     if(!S_ISREG(status.st_mode) || names_open_file(name))
       return {name, true};
     if((status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0) // the superuser may, but it was meant to stay

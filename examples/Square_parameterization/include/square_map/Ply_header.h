@@ -126,15 +126,15 @@ inline void check_ply_header(const Ply_header& header)
   }
 }
 
-/// goes to the end of the last line of a header. Where the first line ends in a carriage return alone this one does, too: a
+/// goes to the end of the last line of a header. Where all others end in a carriage return alone this one does, too: a
 /// line feed behind it is the first byte of the data.
 inline void skip_last_line(std::string_view text, Text_scanner& scanner)
 {
-  const std::size_t first_end = text.find_first_of("\r\n");
-  if(text.substr(first_end, 1) == "\r" && text.substr(first_end + 1, 1) != "\n")
-    scanner.go_to(std::min(text.find('\r', scanner.place()), text.size()));
-  else
+  const bool has_line_feeds = text.substr(0, scanner.place()).find('\n') != std::string_view::npos;
+  if(has_line_feeds)
     scanner.skip_line();
+  else
+    scanner.go_to(std::min(text.find_first_of("\r\n", scanner.place()), text.size()));
 }
 
 /// reads the header of a PLY file, line by line

@@ -34,32 +34,6 @@ inline std::optional<File_format> format_of_content(std::string_view text)
   return {};
 }
 
-/// the format of a file without \p is_stream by its extension, of a stream without a known extension by its content
-/// \throw Malformed_file with the reason alone
-inline File_format format_of(const std::string& path, bool is_stream, std::string_view text)
-{
-  if(const auto format = format_of_extension(path))
-    return *format;
-  if(is_stream) {
-    if(const auto format = format_of_content(text))
-      return *format;
-    throw Malformed_file(text.empty()
-                             ? "it is empty"
-                             : "it does not begin as an OFF, OBJ, PLY or STL file; --input-format names a format");
-  }
-  const std::string extension = extension_of(path);
-  throw Malformed_file((extension.empty() ? "it has no extension" : "its extension '." + extension + "' is unknown") +
-                       "; .off, .obj, .ply or .stl was expected, or --input-format");
-}
-
-/// the text without a byte order mark, which a binary STL file may begin with by chance
-inline std::string_view text_of_bytes(std::string_view bytes)
-{
-  const std::string_view text = without_byte_order_mark(bytes);
-  const bool has_zeros = bytes.substr(0, STL_HEADER_BYTES).find('\0') != std::string_view::npos;
-  return has_size_of_binary_stl(bytes) || (has_zeros && !format_of_content(text)) ? bytes : text;
-}
-
 /// what a file is that begins as none of those that are read; empty when that is not known
 inline std::string kind_of_other_file(std::string_view bytes)
 {
@@ -73,6 +47,34 @@ inline std::string kind_of_other_file(std::string_view bytes)
     if(bytes.substr(0, beginning.size()) == beginning)
       return kind;
   return "";
+}
+
+/// the format of a file without \p is_stream by its extension, of a stream without a known extension by its content
+/// \throw Malformed_file with the reason alone
+inline File_format format_of(const std::string& path, bool is_stream, std::string_view text)
+{
+  if(const auto format = format_of_extension(path))
+    return *format;
+  if(is_stream) {
+    if(const auto format = format_of_content(text))
+      return *format;
+    const std::string kind = kind_of_other_file(text);
+    throw Malformed_file(text.empty() ? "it is empty"
+                         : !kind.empty()
+                             ? "it begins as " + kind + "; OFF, OBJ, PLY or STL was expected"
+                             : "it does not begin as an OFF, OBJ, PLY or STL file; --input-format names a format");
+  }
+  const std::string extension = extension_of(path);
+  throw Malformed_file((extension.empty() ? "it has no extension" : "its extension '." + extension + "' is unknown") +
+                       "; .off, .obj, .ply or .stl was expected, or --input-format");
+}
+
+/// the text without a byte order mark, which a binary STL file may begin with by chance
+inline std::string_view text_of_bytes(std::string_view bytes)
+{
+  const std::string_view text = without_byte_order_mark(bytes);
+  const bool has_zeros = bytes.substr(0, STL_HEADER_BYTES).find('\0') != std::string_view::npos;
+  return has_size_of_binary_stl(bytes) || (has_zeros && !format_of_content(text)) ? bytes : text;
 }
 
 /// what to say after the reason why a file could not be read in a format: that it begins as one of another

@@ -36,7 +36,7 @@ inline const std::map<std::string, Number_range>& number_options()
       {"eta", {0, 1, false, false, "above 0 and at most 1"}},
       {"balance", {0, 1, true, false, "from 0 to 1"}},
       {"time-limit", {0, 1e9, false, false, "above 0 and at most 1e9 seconds"}},
-      {"cut-weight", {0, (std::numeric_limits<double>::max)(), true, false, "a number, 0 or more"}},
+      {"cut-weight", {0, (std::numeric_limits<double>::max)(), true, false, "a finite number, 0 or more"}},
       {"max-cut-length", {0, std::numeric_limits<double>::infinity(), true, false, "a number, 0 or more"}}};
   return ranges;
 }

@@ -63,7 +63,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
   namespace po = boost::program_options;
   po::options_description options("options");
   auto add = options.add_options();
-  const auto number = [] { return po::value<std::string>(); }; // see `Given_options::number()`
+  const auto text = [] { return po::value<std::string>(); }; // a number, see `Given_options::number()`
   add("help,h", "show this text");
   add("version", "show the versions of this program and of CGAL");
   add("output,o", po::value(&line.output)->value_name("FILE"),
@@ -100,7 +100,7 @@ inline boost::program_options::options_description option_list(Given_options& gi
       "known: the best is mapped, with the outputs of a search of all");
   add("minimizer", po::value(&line.minimizer)->value_name("NAME"),
       "optimal (default): least balanced energy; iterative: Yoshizawa et al.");
-  add("balance", number()->value_name("X"),
+  add("balance", text()->value_name("X"),
       "optimal: 0 (least L2 stretch, tears) to 1 (symmetric Dirichlet); default 0.3");
   add("aspect", po::value(&given.aspect)->value_name("R"),
       "optimal: width over height of the rectangle, or best; default 1, the square. uv stay in [0, 1]");
@@ -114,9 +114,9 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("triangulate", po::bool_switch(&line.conditioning_options.triangulate), "split faces that are no triangles");
   add("cut", po::value(&given.cut)->value_name("NAME"),
       "how a surface that is not a disk is cut: best (default): for little stretch; shortest; none: it is refused");
-  add("cut-weight", number()->value_name("X"),
+  add("cut-weight", text()->value_name("X"),
       "best: stretch that a cut of the length sqrt(area) must save; default 0.05");
-  add("max-cut-length", number()->value_name("X"),
+  add("max-cut-length", text()->value_name("X"),
       "best: length, in units of sqrt(area), beyond which a cut is not extended");
   add("cut-disk", po::bool_switch(&line.options.cut.cuts_disk),
       "best: cut a disk, too, where L2 falls by more than --cut-weight times the length of the cut");
@@ -129,13 +129,13 @@ inline boost::program_options::options_description option_list(Given_options& gi
   add("walk", po::value(&given.walk)->value_name("NAME"),
       "direction in which candidates are counted: counter-clockwise (default), clockwise");
   add("preset", po::value(&given.preset)->value_name("NAME"), "paper: the settings of the published tables");
-  add("step", number()->value_name("N"), "step-sampling: distance between samples; 0 (default): sqrt(V m / F)");
-  add("interval", number()->value_name("N"), "hybrid: stride; 0 (default): the step less one");
-  add("seed", number()->value_name("N"), "particle-swarm: seed; default 0");
-  add("eta", number()->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
-  add("patience", number()->value_name("N"), "iterates that may fail to be lower; default 1");
-  add("threads", number()->value_name("N"), "threads; 0 (default) for all cores, fewer on large surfaces");
-  add("time-limit", number()->value_name("SECONDS"),
+  add("step", text()->value_name("N"), "step-sampling: distance between samples; 0 (default): sqrt(V m / F)");
+  add("interval", text()->value_name("N"), "hybrid: stride; 0 (default): the step less one");
+  add("seed", text()->value_name("N"), "particle-swarm: seed; default 0");
+  add("eta", text()->value_name("X"), "exponent of the stretch, in ]0, 1]; default 0.3");
+  add("patience", text()->value_name("N"), "iterates that may fail to be lower; default 1");
+  add("threads", text()->value_name("N"), "threads; 0 (default) for all cores, fewer on large surfaces");
+  add("time-limit", text()->value_name("SECONDS"),
       "then no cut and no candidate is begun any more, and a map in work is left: the best map so far, or exit status "
       "5 when there is none");
   add("corners", po::value(&given.corners)->value_name("a,b,c,d"),

@@ -5,6 +5,7 @@
 #define SQUARE_MAP_READ_BYTES_H
 
 #include "Malformed_file.h"
+#include "closed_streams.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -99,13 +100,6 @@ inline bool names_open_stream(const std::string& path)
   return path == "-" || path == "/dev/stdin" || path.rfind("/dev/fd/", 0) == 0 || path.rfind("/proc/", 0) == 0;
 }
 
-/// indicates whether a path names standard input, and the caller has closed that: see `open_standard_streams()`
-inline bool names_closed_input(const std::string& path)
-{
-  const int flags = path == "-" || path == "/dev/stdin" ? fcntl(STDIN_FILENO, F_GETFL) : -1;
-  return flags != -1 && (flags & O_PATH) != 0;
-}
-
 /// reads a file, a pipe or, for "-", standard input, to its end. Folders and devices are refused, and files and streams
 /// beyond an eighth of the memory of the machine, for no surface of their size could be mapped.
 /// \throw Malformed_file with the reason alone
@@ -114,7 +108,7 @@ inline File_bytes read_bytes(const std::string& path)
   Input_descriptor file(path);
   const struct stat status = file.status();
   if(S_ISDIR(status.st_mode))
-    throw Malformed_file(names_closed_input(path) ? "it is closed" : "it is a folder");
+    throw Malformed_file(is_of_closed_stream(status) ? "it is closed" : "it is a folder");
   if((S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) && !names_open_stream(path))
     throw Malformed_file("it is a device; a file was expected");
   constexpr std::size_t CHUNK = 1 << 20;

@@ -137,8 +137,8 @@ inline void read_off_faces(Text_scanner& scanner, const Off_header& header, CGAL
   }
 }
 
-/// indicates whether what follows the counts is hardly meant to be one point or face a line: it has other lines, by a tenth at
-/// least. Where a row is missing, or comes twice, numbers on any lines may make faces, too, but others.
+/// indicates whether what follows the counts is hardly meant to be one point or face a line: the number of lines differs
+/// by a tenth at least. Where a row is missing, or comes twice, numbers on any lines may make faces, too, but others.
 inline bool has_numbers_on_any_lines(Text_scanner scanner, const Off_header& header)
 {
   const double rows = double(header.vertices) + double(header.faces), lines = double(scanner.skip_lines());

@@ -33,7 +33,7 @@ inline std::size_t ply_property_of(const Ply_element& element, const std::string
   return k;
 }
 
-/// the place of the first property of one of these names that is a list; as many as there are properties when there is none
+/// the place of a list of one of these names, the first if there are several; as many as there are properties for none
 inline std::size_t ply_list_of(const Ply_element& element, std::initializer_list<const char*> names)
 {
   for(const char* name : names)

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -191,37 +192,41 @@ private:
   {
     while(!m_scanner.is_line_end()) {
       const std::size_t place = m_scanner.place();
-      Text_scanner ahead = m_scanner;
-      if(boost::iequals(m_scanner.next_word(), "facet") && begins_facet(ahead)) {
+      if(boost::iequals(m_scanner.next_word(), "facet") && continues_facet(m_scanner)) {
         m_scanner.go_back(place);
         return;
       }
     }
   }
 
-  /// passes over the name after endsolid: the rest of the line, or what is before another solid that has a facet on it
+  /// passes over the name after endsolid: the rest of the line, or what is before another solid with a facet on it
   void skip_end_name()
   {
+    std::optional<std::size_t> solid; // the place of the first word of that name
     while(!m_scanner.is_line_end()) {
       const std::size_t place = m_scanner.place();
-      if(!boost::iequals(m_scanner.next_word(), "solid"))
+      const std::string_view word = m_scanner.next_word();
+      if(boost::iequals(word, "solid") && !solid)
+        solid = place;
+      if(!boost::iequals(word, "facet") || !continues_facet(m_scanner))
         continue;
-      skip_name();
-      if(!m_scanner.is_line_end())
-        m_scanner.go_back(place);
+      if(!solid)
+        m_scanner.refuse(word, "solid");
+      m_scanner.go_back(*solid);
       return;
     }
   }
 
-  /// indicates whether the word facet, which is the next, is none of a name: words follow it as in a facet, as far as there are
-  static bool begins_facet(Text_scanner scanner)
+  /// indicates whether the next words are those of a facet behind the word facet, which may be part of a name, too
+  static bool continues_facet(Text_scanner scanner)
   {
-    scanner.next_word();
-    const std::string_view word = word_after_normal(scanner);
-    return word.empty() || boost::iequals(word, "outer");
+    return boost::iequals(word_after_normal(scanner), "outer") &&
+           boost::iequals(scanner.next_word_anywhere(), "loop") &&
+           boost::iequals(scanner.next_word_anywhere(), "vertex");
   }
 
   /// passes over a normal, which is not needed: some writers leave it out, or write one that is no number as `1.#QNAN`
+  /// \return the next word, which is outer in a facet
   static std::string_view word_after_normal(Text_scanner& scanner)
   {
     std::string_view word = scanner.next_word_anywhere();

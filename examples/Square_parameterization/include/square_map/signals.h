@@ -7,13 +7,11 @@
 #include "Temporary_files.h"
 #include "has_progress_line.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <cerrno>
 #include <cstring>
 
 namespace square_map {
@@ -89,16 +87,6 @@ inline void begin_commit()
 inline void end_commit()
 {
   run_phase = Run_phase::COMMITTED;
-}
-
-/// makes sure that standard input, output and error are open: where the caller has closed one, the next file that is
-/// opened would take its place, and be written by mistake. The substitute is a folder that is open for neither reading nor
-/// writing: using it fails, and opening it once more by a name as /dev/stdout, too.
-inline void open_standard_streams()
-{
-  for(int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if(fcntl(stream, F_GETFD) == -1 && errno == EBADF) [[maybe_unused]]
-      const int substitute = open("/", O_PATH | O_DIRECTORY);
 }
 
 } // namespace square_map

@@ -4,6 +4,7 @@
 #include "../../include/square_map/pictures.h"
 #include "../../include/square_map/Malformed_file.h"
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <png.h>
 #include <tinyexr.h>
 
@@ -65,8 +66,7 @@ private:
 std::string message_of(const png_image& image)
 {
   const std::string message(image.message);
-  if(message == "insufficient memory" || message == "out of memory" || message == "png_image_read: out of memory" ||
-     message == "png_image_write_: out of memory")
+  if(boost::icontains(message, "insufficient memory") || boost::icontains(message, "out of memory"))
     throw std::bad_alloc();
   return message;
 }

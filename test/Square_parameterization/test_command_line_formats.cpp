@@ -372,7 +372,7 @@ TEST_CASE("OFF files are read with the numbers of points and faces on any lines"
   check_refusal_of_text("in.off", on_one_line + faces + "0\n", BAD_FILE);
 }
 
-TEST_CASE("an OFF file of which a row is missing or comes twice is not taken for numbers on any lines")
+TEST_CASE("an OFF file of which a row or a number is missing or comes twice is not taken for numbers on any lines")
 {
   Soup sheet = small;
   for(Point& p : sheet.points) // coordinates that may be indices, and sizes of faces
@@ -392,5 +392,13 @@ TEST_CASE("an OFF file of which a row is missing or comes twice is not taken for
     check_refusal_of_text("in.off", joined(fewer), BAD_FILE);
     if(k < 2 + points) // a face more is passed over behind the last one
       check_refusal_of_text("in.off", joined(more), BAD_FILE);
+    std::vector<std::string> moved = rows; // a number, to the next row
+    const std::size_t last = moved[k].rfind(' ');
+    if(k + 1 < rows.size())
+      moved[k + 1] = moved[k].substr(last + 1, moved[k].size() - last - 2) + ' ' + moved[k + 1];
+    moved[k] = moved[k].substr(0, last) + '\n';
+    check_refusal_of_text("in.off", joined(moved), BAD_FILE);
   }
+  // a number is missing, and the first of a face is one more size of a face
+  check_refusal_of_text("in.off", "OFF\n4 2 0\n0 0 0\n1 0\n1 1 0\n0 1 0\n4 3 0 1 2\n3 0 2 3\n", BAD_FILE);
 }

@@ -8,12 +8,11 @@
 #include "option_effects.h"
 #include "parse_number.h"
 
-#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace square_map {
 
@@ -68,17 +67,15 @@ inline void check_options(const Given_options& given, const Command_line& line)
     throw Usage_error("no input file is given");
   if(given.has("input-format"))
     named(file_formats(), "input-format", line.input_format);
-  for(const char* option : {"output", "json", "seams", "texture", "svg", "report", "thumbnail", "image", "normal-map",
-                            "attributes", "grid-mesh"})
+  for(const char* option :
+      {"output", "json", "svg", "report", "thumbnail", "image", "normal-map", "attributes", "grid-mesh"})
     if(given.has(option))
       check_file_name(option, given.all[option].as<std::string>());
-  for(const std::string& curve : line.curves)
-    check_file_name("curve", curve);
   for(const char* option : {"seams", "texture"})
     if(given.has(option))
-      check_no_stream(option, given.all[option].as<std::string>());
+      check_input_name(option, given.all[option].as<std::string>());
   for(const std::string& curve : line.curves)
-    check_no_stream("curve", curve);
+    check_input_name("curve", curve);
 }
 
 /// a ratio, or none for the best

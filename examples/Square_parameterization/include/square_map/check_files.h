@@ -29,9 +29,10 @@ inline void check_file_name(const std::string& option, const std::string& name)
                       "; a file of this name is ./" + name);
 }
 
-/// refuses standard input as a file beside the surface
-inline void check_no_stream(const std::string& option, const std::string& name)
+/// the same of a file that is read beside the surface, which alone may come from standard input
+inline void check_input_name(const std::string& option, const std::string& name)
 {
+  check_file_name(option, name);
   if(name == "-")
     throw Usage_error("--" + option + " needs the name of a file: - is standard input for the surface alone");
 }

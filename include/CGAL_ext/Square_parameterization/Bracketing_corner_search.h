@@ -29,10 +29,10 @@ namespace CGAL_ext {
 /// sketch, which is the only one that is mapped.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
-/// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five where the best
-/// one so far is stretched ten times or more, on 5000 vertices or more. On a mesh of 2500 vertices and more the first
-/// candidate is the only one when its map costs as much as those of nineteen, and where there are sketches, when its sketch
-/// is stretched tens of thousands of times, or a hundred times and costs as much as twelve.
+/// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
+/// or more when one has a map. On a mesh of 2500 vertices and more the first candidate is the only one when its map costs as
+/// much as those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of times, or a
+/// hundred times and costs as much as twelve.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
 /// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the
@@ -84,10 +84,10 @@ private:
     return std::isfinite(objective) && objective > (is_costly ? Numbers::HOPELESS_SKETCH : Numbers::HOPELESS_RESULT);
   }
 
-  /// what a search may cost whose best candidate so far is that of the ring
+  /// what a search may cost of which the ring knows some candidates
   static double most_work(const Corner_search_problem& problem, const internal::Candidate_ring& ring)
   {
-    return internal::most_search_work(problem.number_of_vertices, ring.objective(ring.best()));
+    return internal::most_search_work(problem.number_of_vertices, std::isfinite(ring.objective(ring.best())));
   }
 
   /// indicates whether no more is to be spent on the search

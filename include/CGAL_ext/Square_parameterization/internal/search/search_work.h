@@ -7,7 +7,6 @@
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace CGAL_ext {
@@ -17,15 +16,13 @@ namespace internal {
 /// an even surface
 constexpr double MOST_SEARCH_WORK = 1200;
 
-/// the same for a mesh with maps as good as the best one so far: half as much where that is stretched ten times or more, on
-/// 5000 vertices or more. More: strips take up to half as long again, for the same corners. Less where maps are stretched
-/// less: a knot 1 % more; on smaller meshes: surfaces with spikes more.
-inline double most_search_work(int number_of_vertices, double least_objective)
+/// the same by the size of the mesh: half as much on 5000 vertices or more, once there is a map. More: strips, and sheets with
+/// fins and nails, take up to half as long again, for the same corners. Less on smaller meshes: a knot 1 %, and surfaces with
+/// spikes more; while there is no map: some have none in the end.
+inline double most_search_work(int number_of_vertices, bool has_map)
 {
-  constexpr double VERTICES = 5000;
-  const bool is_stretched =
-      std::isfinite(least_objective) && Minimizer_numbers::is_stretched(least_objective, number_of_vertices);
-  return is_stretched ? MOST_SEARCH_WORK * (std::clamp)(VERTICES / 2 / number_of_vertices, 0.5, 1.) : MOST_SEARCH_WORK;
+  constexpr double SMALL = 2500; // vertices
+  return has_map ? MOST_SEARCH_WORK * (std::clamp)(SMALL / number_of_vertices, 0.5, 1.) : MOST_SEARCH_WORK;
 }
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be
@@ -51,7 +48,7 @@ constexpr int MOST_VERTICES_OF_SKETCH = 5000;
 /// the same where maps are counted for a search: of larger meshes that have no sketches fewer slow maps are made
 constexpr int MOST_VERTICES_OF_MAP = 10000;
 
-/// what the maps of a search may cost, in vertices visited, until it makes no more of them
+/// what the maps of a search may cost, in vertices visited, until it makes no more of them while it has none
 inline double most_work_of_search(int number_of_vertices)
 {
   return MOST_SEARCH_WORK * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
@@ -110,14 +107,19 @@ inline double most_work_of_first_start(int number_of_vertices)
                                                     : MOST_WORK_OF_FIRST_START * number_of_vertices;
 }
 
-/// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are: on the square no more
-/// than half of a search; a mesh counts for `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several places,
-/// with all moves.
+/// what rough maps may cost, and sketches, in vertices visited, until the corners stay where they are on the square. More: cones
+/// with teeth, whose rough maps have thousands of vertices, take half as long again for the same corners. Less, as 2e6: a
+/// cheese with holes is stretched 0.5 % more.
+constexpr double MOST_MOVING_WORK = 2.5e6;
+
+/// the same by the size of the mesh: on the square no more than half of a search, for which it counts for
+/// `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several places, with all moves.
 inline double most_moving_work(bool is_square, int number_of_vertices)
 {
-  return is_square ? 0.5 * MOST_SEARCH_WORK *
-                         (std::clamp)(number_of_vertices, LEAST_VERTICES_OF_COSTLY_MAP, MOST_VERTICES_OF_SKETCH)
-                   : 5 * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
+  if(is_square)
+    return (std::min)(MOST_MOVING_WORK,
+                      MOST_SEARCH_WORK / 2 * (std::max)(number_of_vertices, LEAST_VERTICES_OF_COSTLY_MAP));
+  return 5 * MOST_SEARCH_WORK * MOST_VERTICES_OF_SKETCH;
 }
 
 /// vertices of a disk that a cut leaves of a surface of a thousand faces, at most, as a rule

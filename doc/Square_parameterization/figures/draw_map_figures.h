@@ -49,15 +49,18 @@ inline void draw_rectangle(const Folders& folders)
   std::vector<Picture> pictures;
   for(const bool is_square : {true, false}) {
     Options options;
-    options.search_options.moves_corners = !is_square;
+    options.search_options.moves_corners = true;
     CGAL_ext::Balanced_minimization balanced;
     if(!is_square)
       balanced.aspect.reset();
     options.minimization = balanced;
-    const Map map = make_map(folders.mesh("femur.off"), options);
+    const Map map = make_map(folders.mesh("eight.off"), options);
     pictures.push_back(draw_surface(map));
     pictures.push_back(draw_domain(map, faces_style()));
-    std::printf("aspect %.3f: L2 %.3f\n", map.result.aspect, map.result.measures.l2);
+    if(is_square)
+      std::printf("square: L2 %.3f\n", map.result.measures.l2);
+    else
+      std::printf("rectangle: aspect %.3f, L2 %.3f\n", map.result.aspect, map.result.measures.l2);
   }
   folders.write("rectangle.png", pictures);
 }

@@ -199,6 +199,16 @@ TEST_CASE("a cut is judged on the rectangle that is wanted")
   CHECK(on_rectangle.report.stretch > 0.995 * searched_stretch(surface, on_rectangle.cut, 0.3, std::nullopt));
 }
 
+TEST_CASE("the cut for the best rectangle is not beaten there by the cut for the square")
+{
+  for(const Closed_mesh& mesh : {ellipsoid(2, 3), ellipsoid(3, 3), torus(12, 8)}) {
+    const Triangle_surface surface = surface_of(mesh);
+    Seam_options square, rectangle;
+    rectangle.aspect = std::nullopt;
+    CHECK(decide(surface, rectangle).report.score <= decide(surface, square).report.score);
+  }
+}
+
 TEST_CASE("a longer cut of an elongated sphere leaves less stretch, and a heavier weight a shorter cut")
 {
   const Triangle_surface surface = surface_of(ellipsoid(3));

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -85,6 +86,37 @@ TEST_CASE("another start that leads to the same poor map is the last")
     lost.map.report.objective = 1e10;
     CHECK_FALSE(do_agree(lost, lost));
   }
+}
+
+TEST_CASE("without a map all starts are tried, unless another cut may have one")
+{
+  const Patch patch = make_patch_of(fan_with_ears(2400, 3)); // one start is tried whatever it costs
+  REQUIRE(least_other_starts(patch.number_of_vertices()) == 1);
+  const auto is_ear = [&](int k) { // its tip is between places k and k + 2 of the border
+    const auto first = patch.border.begin() + k, end = first + 3;
+    return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const std::array<int, 3>& t) {
+      return std::all_of(t.begin(), t.end(), [&](int v) { return std::find(first, end, v) != end; });
+    });
+  };
+  int ear = 0;
+  while(!is_ear(ear))
+    ++ear;
+  const Corners corners{ear, ear + 2, ear + 3, ear + 4}; // on one side it is flat, from any start
+  REQUIRE(corners[3] < static_cast<int>(patch.border.size()));
+  const Square_map_settings settings;
+  const auto first = make_minimizer(patch, settings.minimization);
+  Search_outcome best = map_with_corners(patch, *first, corners);
+  REQUIRE_FALSE(has_map(best));
+  const auto try_others = [&](Persistence persistence) {
+    return try_other_starts(patch, *first, corners, settings, best, persistence);
+  };
+  CHECK(try_others(Persistence::WITHIN_WORK).are_all); // they cost nothing
+  best.work = 2 * most_work_of_starts(patch.number_of_vertices());
+  CHECK_FALSE(try_others(Persistence::WITHIN_WORK).are_all);
+  CHECK(try_others(Persistence::TO_THE_END).are_all);
+  Square_map_report report;
+  CHECK_THROWS_AS(map_patch(patch, *first, corners, settings, Persistence::WITHIN_WORK, report), Unmappable);
+  CHECK_FALSE(has_map(best));
 }
 
 TEST_CASE("where starts are not cheap none is tried when it would cost too much")

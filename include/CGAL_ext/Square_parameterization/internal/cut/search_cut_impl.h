@@ -71,7 +71,8 @@ class Cut_decision
 {
 public:
   Cut_decision(const Seam_options& options, Thread_team& team, Cut_report& report, const Cut_numbers& numbers)
-    : m_weight(options.cut_weight),
+    : m_options(options),
+      m_weight(options.cut_weight),
       m_scoring{options.balance, options.aspect, options.moves_corners, numbers, options.deadline},
       m_max_cut_length(options.max_cut_length),
       m_deadline(options.deadline),
@@ -95,6 +96,7 @@ public:
 private:
   // shares of the time of the whole decision that have passed when its parts end: medians of fifteen surfaces
   static constexpr double SIMPLIFIED = 0.04, GROWN_ON_SIMPLER_COPIES = 0.42, GROWN = 0.78, REFINED = 0.82;
+  static constexpr double DECIDED_ON_SQUARE = 0.2; // where the best rectangle is wanted
 
   std::vector<Decided_cut> decide_on_copy(const Triangle_surface& surface)
   {
@@ -155,9 +157,12 @@ private:
   }
 
   /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, the best of them
-  /// refined where that costs little, and the last few judged. Returns those that come near the best.
+  /// refined where that costs little, and the last few judged. Returns those that come near the best. Where the best rectangle is
+  /// wanted, what is found so for the square competes.
   std::vector<Scored_cut> decide(const Triangle_surface& surface)
   {
+    const bool is_best_rectangle = !m_scoring.aspect;
+    const std::vector<Scored_cut> on_square = is_best_rectangle ? cuts_on_square(surface) : std::vector<Scored_cut>();
     Cut_pool pool = pool_of_grown_cuts(surface);
     const std::vector<double> weights = weights_of_family(m_weight);
     long refinement_work = 0;
@@ -170,7 +175,7 @@ private:
       Scored_cut cut = pool.best(weight);
       refine_cut(pool, weight, work_of_refinement(surface, weight), cut, m_history);
     }
-    std::vector<Scored_cut> judged = judged_cuts(pool, weights);
+    std::vector<Scored_cut> judged = judged_cuts(pool, weights, on_square);
     m_report.is_cancelled = has_passed(m_deadline);
     for(const Scored_cut* cut : front_of(judged))
       m_report.front.push_back({cut->score.length, cut->score.stretch});
@@ -180,10 +185,27 @@ private:
     return judged;
   }
 
-  /// the cuts of the pool that are best at some weight of the family, judged by searched corners where that is worth its time
-  std::vector<Scored_cut> judged_cuts(const Cut_pool& pool, const std::vector<double>& weights)
+  /// the cuts that come near the best on the square, with what they leave there: no less than on the best rectangle. Scores on
+  /// that cost several times as much, so that growth meets fewer cuts: one in three closed surfaces would be left with a cut
+  /// that is worse there, too.
+  std::vector<Scored_cut> cuts_on_square(const Triangle_surface& surface)
+  {
+    m_progress.begin_part(DECIDED_ON_SQUARE, 1);
+    Seam_options options = m_options;
+    options.aspect = 1;
+    options.deadline = part_way_to(m_deadline, 0.5);
+    options.visitor = nullptr;
+    Cut_report report;
+    return Cut_decision(options, m_team, report, numbers()).decide(surface);
+  }
+
+  /// the cuts of the pool that are best at some weight of the family, and others, judged by searched corners where that is worth
+  /// its time
+  std::vector<Scored_cut> judged_cuts(const Cut_pool& pool, const std::vector<double>& weights,
+                                      const std::vector<Scored_cut>& others)
   {
     std::vector<Scored_cut> cuts = pool.best_between(weights.front(), weights.back());
+    cuts.insert(cuts.end(), others.begin(), others.end());
     if(cuts.empty()) // none has a map
       return {pool.best(m_weight)};
     const bool has_choice =
@@ -344,6 +366,7 @@ private:
                       has_many_loops(surface, numbers()) ? numbers().little_growth_work : numbers().growth_work);
   }
 
+  const Seam_options m_options;
   const double m_weight;
   const Cut_score_options m_scoring;
   const double m_max_cut_length;

@@ -182,7 +182,7 @@ inline Stretch_measures measure_disk(const Patch& patch, const Minimized_map& ma
 /// \param report its times are added to, the rest is of this disk, as far as it has come when `Unmappable` is thrown
 inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3d> points, const Cut& cut,
                             const Chosen_elements& chosen, const Surface_arrays& mesh,
-                            const Square_map_settings& settings, Square_map_report& report)
+                            const Square_map_settings& settings, Persistence persistence, Square_map_report& report)
 {
   const auto condition_start = Clock::now();
   const int surface_vertices = surface.number_of_vertices();
@@ -201,7 +201,7 @@ inline Mapped_disk map_disk(Triangle_surface surface, std::vector<Eigen::Vector3
 
   const auto search = [&] {
     const Scope_timer timer(report.search_seconds);
-    return map_patch(patch, *minimizer, corners, settings, report);
+    return map_patch(patch, *minimizer, corners, settings, persistence, report);
   };
   Search_outcome outcome = search();
   report.measures = measure_disk(patch, outcome.map);
@@ -233,18 +233,24 @@ public:
 
   /// \param surface of the mesh
   /// \param report of this disk; its times are those of all
-  void map(Triangle_surface surface, const Decided_cut& cut, Square_map_report& report)
+  /// \return false when the disk has no map as yet, but more may be tried
+  bool map(Triangle_surface surface, const Decided_cut& cut, Persistence persistence, Square_map_report& report)
   {
     report_cut(surface, cut, report.cut);
     try {
-      Mapped_disk next = map_disk(std::move(surface), m_mesh.points, cut.cut, m_chosen, m_mesh, m_settings, report);
+      Mapped_disk next =
+          map_disk(std::move(surface), m_mesh.points, cut.cut, m_chosen, m_mesh, m_settings, persistence, report);
       if(!m_best || score(report) < score(m_report)) {
         m_best.emplace(std::move(next));
         m_report = report;
       }
+    } catch(const Unmappable_within_work&) {
+      m_failure = std::current_exception();
+      return false;
     } catch(const Unmappable&) { // another one may have a map
       m_failure = std::current_exception();
     }
+    return true;
   }
 
   bool has_map() const { return m_best.has_value(); }
@@ -280,7 +286,8 @@ private:
   std::exception_ptr m_failure;
 };
 
-/// maps the disks that the cuts leave, and that of the shortest cut where their maps are hopeless, as far as there is time
+/// maps the disks that the cuts leave, and that of the shortest cut where their maps are hopeless, as far as there is time. It
+/// is tried before the last starts of the others: where one start after the other has no map, another cut often has one at once.
 /// \param report of the best disk, with the times of all
 inline Mapped_disk map_best_disk(Triangle_surface surface, const Surface_arrays& mesh,
                                  const std::vector<Decided_cut>& cuts, const Chosen_elements& chosen,
@@ -289,21 +296,32 @@ inline Mapped_disk map_best_disk(Triangle_surface surface, const Surface_arrays&
   const auto start = Clock::now();
   const Deadline& deadline = settings.search_options.deadline;
   const bool is_large = surface.number_of_faces() > Cut_numbers().largest_mapped_twice;
+  const bool may_try_shortest = may_try_shortest_cut(chosen, settings);
   Best_disk best(mesh, chosen, settings);
   const auto may_go_on = [&] {
     return !report.search.is_cancelled && (best.has_map() ? has_time_again(start, deadline) : !has_passed(deadline));
   };
+  std::vector<Decided_cut> unfinished; // which have no map as yet
+  const auto map = [&](Triangle_surface copy, const Decided_cut& cut, Persistence persistence) {
+    if(!best.map(std::move(copy), cut, persistence, report))
+      unfinished.push_back(cut);
+  };
   for(std::size_t i = 0; i < cuts.size() && (i == 0 || may_go_on()); ++i)
-    best.map(i + 1 < cuts.size() ? surface : std::move(surface), cuts[i], report);
-  if(may_try_shortest_cut(chosen, settings) && best.is_hopeless() && !(is_large && best.has_map()) && may_go_on()) {
+    map(i + 1 < cuts.size() ? surface : std::move(surface), cuts[i],
+        may_try_shortest ? Persistence::WITHIN_WORK : Persistence::TO_THE_END);
+  if(may_try_shortest && best.is_hopeless() && !(is_large && best.has_map()) && may_go_on()) {
     const auto cut_start = Clock::now();
     surface = make_checked_surface(mesh);
     const std::optional<Decided_cut> other = cut_instead(surface, cuts);
     report.cut_seconds += seconds_since(cut_start);
     if(other && may_go_on()) {
       report.cut.is_replaced = true;
-      best.map(std::move(surface), *other, report);
+      map(std::move(surface), *other, Persistence::TO_THE_END);
     }
+  }
+  for(std::size_t i = 0; i < unfinished.size() && !best.has_map() && may_go_on(); ++i) {
+    report.cut.is_replaced = false;
+    map(make_checked_surface(mesh), unfinished[i], Persistence::TO_THE_END);
   }
   return best.take(report);
 }
@@ -333,7 +351,7 @@ CGAL_EXT_INLINE_FUNCTION Mapped_surface map_surface(Surface_arrays mesh, const C
     mesh.triangles = std::vector<std::array<int, 3>>(); // from here on each has its memory as long as it is needed
   Mapped_disk disk = may_map_again ? map_best_disk(std::move(surface), mesh, cuts, chosen, of_maps, report)
                                    : map_disk(std::move(surface), std::move(mesh.points), cuts.front().cut, chosen,
-                                              mesh, of_maps, report);
+                                              mesh, of_maps, Persistence::TO_THE_END, report);
   if(settings.search_options.visitor != nullptr)
     settings.search_options.visitor->end_minimization(disk.outcome.map.report);
   if(settings.seam_grid && !disk.edits.copies.empty()) {

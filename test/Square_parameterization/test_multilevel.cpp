@@ -14,7 +14,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
 
 using namespace CGAL_ext;
@@ -116,7 +118,7 @@ TEST_CASE("vertices on the rim of a large fan are put back in as few waves as as
   const Patch fine = make_patch_of(wheel);
   const int target = SPOKES + SPOKES / 2;
   CHECK(Patch_coarsener(fine, std::nullopt)(target).waves.size() > 10);
-  const Coarse_patch coarse = Patch_coarsener(fine, std::nullopt, true, 6)(target);
+  const Coarse_patch coarse = Patch_coarsener(fine, std::nullopt, true, {6})(target);
   CHECK(coarse.waves.size() <= 6);
   CHECK(coarse.patch.number_of_vertices() == target);
 }
@@ -394,6 +396,37 @@ TEST_CASE("patches that are coarsened by eighths are four times as many, and lea
     CHECK(map.report.objective == Approx(energy_by_definition(patch, map.uv, 0.3)).epsilon(1e-6));
   }
   CHECK(lost > 0);
+}
+
+TEST_CASE("a hair with shorter edges at its tip is coarsened by eighths in few waves, and has a map then")
+{
+  constexpr int RINGS = 120;
+  Flat_mesh hair = crumpled_tube(RINGS, 1);
+  for(int i = 0; i < RINGS; ++i)
+    for(int j = 0; j < 4; ++j) {
+      const double radius = 1 - 0.9 * i / RINGS, angle = j * 3.14159265358979 / 2;
+      hair.points[4 * i + j] = {radius * std::cos(angle), radius * std::sin(angle), 0.5 * i};
+    }
+  hair.points.back() = {0, 0, 0.5 * RINGS};
+  const Patch patch = make_patch_of(hair);
+  const auto most_waves = [&](Coarsening coarsening) {
+    Patch_sequence patches(patch, false, coarsening);
+    patches.coarsen({std::nullopt});
+    std::size_t most = 0;
+    for(std::size_t level = 1; level < patches.size(); ++level)
+      most = (std::max)(most, patches.coarse(level).waves.size());
+    return most;
+  };
+  CHECK(most_waves(Coarsening::BY_HALVES) > 100);
+  CHECK(most_waves(Coarsening::BY_EIGHTHS) <= std::size_t(Minimizer_numbers::MOST_WAVES_OF_GRADUAL));
+  const auto map_by = [&](Coarsening coarsening) {
+    Multilevel_minimizer::Workspace workspace;
+    return Multilevel_minimizer(patch, {}, true, {}, coarsening).minimize(square_border_of(patch, 0), workspace);
+  };
+  CHECK(map_by(Coarsening::BY_HALVES).uv.rows() == 0);
+  const Minimized_map map = map_by(Coarsening::BY_EIGHTHS);
+  REQUIRE(map.uv.rows() == patch.number_of_vertices());
+  CHECK(number_of_flipped_faces(patch.triangles, map.uv) == 0);
 }
 
 TEST_CASE("where most vertices are on the border, patches that are coarsened by eighths get smaller, too")

@@ -11,8 +11,8 @@ namespace internal {
 enum class Coarsening
 {
   BY_HALVES, ///< half of them
-  BY_EIGHTHS ///< an eighth, but of large patches half: four times as many patches. Where one map after another makes
-             ///< room for the few vertices that come next, hardly any of them is lost in rounding.
+  BY_EIGHTHS ///< an eighth, but of large patches half, in few waves (`Most_waves`): four times as many patches. Where one map
+             ///< after another makes room for the few vertices that come next, hardly any of them is lost in rounding.
 };
 
 } // namespace internal

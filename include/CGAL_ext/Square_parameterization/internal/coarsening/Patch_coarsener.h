@@ -23,7 +23,7 @@ class Patch_coarsener
 public:
   /// \param least_shape_kept, \param keeps_border, \param most_waves see `Vertex_collapses`
   explicit Patch_coarsener(const Patch& fine, std::optional<double> least_shape_kept = Minimizer_numbers::SHAPE_KEPT,
-                           bool keeps_border = true, int most_waves = (std::numeric_limits<int>::max)())
+                           bool keeps_border = true, const Most_waves& most_waves = {})
     : m_fine(fine), m_collapses(fine.points, fine.triangles, {fine.border}, least_shape_kept, keeps_border, most_waves)
   {}
 

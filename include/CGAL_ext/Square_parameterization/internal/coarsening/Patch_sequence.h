@@ -13,7 +13,6 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/vertices_along_curve.h>
 
 #include <initializer_list>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -142,13 +141,18 @@ private:
     return nullptr;
   }
 
-  /// the waves in which vertices on the rims of large fans of the patch are put back
-  int most_waves(const Patch& patch) const
+  Most_waves most_waves(const Patch& patch) const
   {
+    typedef Minimizer_numbers Numbers;
+    const bool is_gradual = m_coarsening == Coarsening::BY_EIGHTHS;
     const bool is_large_polygon =
-        is_mostly_border(m_patch) && m_patch.number_of_vertices() >= Minimizer_numbers::LEAST_OF_FEW_WAVES;
-    const bool are_few = is_mostly_border(patch) && (is_large_polygon || m_coarsening == Coarsening::BY_EIGHTHS);
-    return are_few ? Minimizer_numbers::MOST_WAVES : (std::numeric_limits<int>::max)();
+        is_mostly_border(m_patch) && m_patch.number_of_vertices() >= Numbers::LEAST_OF_FEW_WAVES;
+    Most_waves result;
+    if(is_mostly_border(patch) && (is_large_polygon || is_gradual))
+      result.on_rims = Numbers::MOST_WAVES;
+    if(is_gradual)
+      result.anywhere = Numbers::MOST_WAVES_OF_GRADUAL;
+    return result;
   }
 
   /// of so many vertices, of which so many can be removed: half of those, or an eighth, but not so few that patch after

@@ -25,6 +25,14 @@
 namespace CGAL_ext {
 namespace internal {
 
+/// waves in which vertices are put back, one after the other, at most. Vertices of one wave are not in each other's way; those
+/// of a chain, of which each was in the ring of the next, make triangles thinner and thinner.
+struct Most_waves
+{
+  int on_rims = (std::numeric_limits<int>::max)(); ///< of large fans
+  int anywhere = (std::numeric_limits<int>::max)();
+};
+
 /// collapses interior vertices into interior neighbors, short edges first, wherever the topology stays what it is and the
 /// surface, when it is to keep its shape, does not bend much and gets no sliver. All positions are kept, and so is the
 /// border, unless border vertices may be collapsed into their neighbors on the border, too; no chord is made.
@@ -40,10 +48,9 @@ public:
   /// \param least_shape_kept a triangle may be thin, but not below this share of the shape of the one that it replaces;
   ///        none when the surface need not keep its shape
   /// \param keeps_border indicates whether border vertices stay; where they do not there is one border
-  /// \param most_waves in which vertices on the rims of large fans are put back
   Vertex_collapses(const std::vector<Eigen::Vector3d>& points, std::vector<std::array<int, 3>> triangles,
                    const std::vector<std::vector<int>>& borders, std::optional<double> least_shape_kept,
-                   bool keeps_border, int most_waves)
+                   bool keeps_border, const Most_waves& most_waves)
     : m_points(points),
       m_keeps_border(keeps_border),
       m_most_waves(most_waves),
@@ -110,7 +117,7 @@ private:
       if(m_surface.is_removed(next.from) || next.changes != m_changes[next.from])
         continue; // the neighborhood is not what it was: a newer entry follows
       m_surface.find_ring(next.from, run.ring, run.sides);
-      if(!is_in_block(run) || (m_waves[next.from] >= m_most_waves && m_surface.is_on_rim(run.ring)))
+      if(!is_in_block(run) || is_late(next.from, run.ring))
         continue;
       if(!m_surface.may_collapse(next.from, next.to, run.ring)) {
         push_next(run, next);
@@ -133,6 +140,12 @@ private:
   {
     return run.block == NO_BLOCK ||
            std::all_of(run.ring.begin(), run.ring.end(), [this, &run](int w) { return m_block_of[w] == run.block; });
+  }
+
+  /// indicates whether a vertex would be put back in too late a wave
+  bool is_late(int v, const std::vector<int>& ring) const
+  {
+    return m_waves[v] >= m_most_waves.anywhere || (m_waves[v] >= m_most_waves.on_rims && m_surface.is_on_rim(ring));
   }
 
   /// collapses most of the vertices that are to be removed, in blocks of the curve
@@ -205,7 +218,7 @@ private:
 
   const std::vector<Eigen::Vector3d>& m_points;
   const bool m_keeps_border;
-  const int m_most_waves;
+  const Most_waves m_most_waves;
   Collapsible_surface m_surface;
   std::vector<int> m_waves;    // per vertex, the waves in which others are put back after it, were it the next to go
   std::vector<int> m_changes;  // per vertex, how often its neighborhood has changed

@@ -9,8 +9,6 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/vertices_along_curve.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
-#include <limits>
-
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
@@ -21,9 +19,8 @@ namespace internal {
 /// fraction of the time of simplification by shape.
 inline Triangle_surface coarsen_surface(const Triangle_surface& fine, int faces)
 {
-  constexpr int MOST_WAVES = (std::numeric_limits<int>::max)(); // nothing is put back
   Vertex_collapses collapses(fine.points, fine.triangles, fine.border_loops, Minimizer_numbers::SHAPE_KEPT, true,
-                             MOST_WAVES);
+                             Most_waves()); // any, for nothing is put back
   Coarse_patch removals;
   const int target = fine.number_of_vertices() - (fine.number_of_faces() - faces) / 2; // two go with each vertex
   collapses(target, vertices_along_curve(fine.points), Minimizer_numbers::VERTICES_COARSENED_AT_A_TIME, removals);

@@ -521,7 +521,9 @@ TEST_CASE("a terminal with very many neighbors is moved to few of them")
 
 TEST_CASE("where no cut has a map, small steps of coarsening are tried for the first one alone")
 {
-  const Flat_mesh tube = crumpled_tube(1000, 2);
+  Flat_mesh tube = crumpled_tube(300, 2);
+  for(std::size_t i = 0; i < tube.points.size(); ++i) // it ends in triangles too small for their maps to have digits
+    tube.points[i] *= std::pow(0.9, double(i / 4));
   const Triangle_surface surface = surface_of(Closed_mesh{tube.points, tube.triangles});
   std::vector<Cut> cuts{Cut(surface), Cut(surface)};
   insert_path(surface, shortest_paths(surface, {0}), 40, cuts.back());

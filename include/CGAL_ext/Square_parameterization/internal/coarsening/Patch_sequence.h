@@ -150,7 +150,7 @@ private:
     Most_waves result;
     if(is_mostly_border(patch) && (is_large_polygon || is_gradual))
       result.on_rims = Numbers::MOST_WAVES;
-    if(is_gradual)
+    if(is_gradual && !is_large_polygon) // of which some are stretched ten times as much
       result.anywhere = Numbers::MOST_WAVES_OF_GRADUAL;
     return result;
   }

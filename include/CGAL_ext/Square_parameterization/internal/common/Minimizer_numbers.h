@@ -44,9 +44,9 @@ struct Minimizer_numbers
   static constexpr int MOST_WAVES = 6;
   static constexpr std::size_t LARGEST_FAN = 32;
 
-  /// waves in which any vertices are put back where a patch is made coarse in small steps, at most. More, or none, as where it is
-  /// made coarse by halves: long hairs with shorter edges at their tips lose one vertex after the other there, in 39 waves of one,
-  /// and their maps are lost in rounding. By halves, too: maps that are none the worse for it change, and cuts with them.
+  /// waves in which any vertices are put back where a patch, of no polygon, is made coarse in small steps, at most. More: long
+  /// hairs with shorter edges at their tips lose one vertex after the other there, in 39 waves of one, and their maps are lost in
+  /// rounding. Few waves of halves, too: maps that are none the worse for many change, and cuts with them.
   static constexpr int MOST_WAVES_OF_GRADUAL = 12;
 
   /// vertices of the mesh from which on there are so few waves, unless it is made coarse in small steps. Less: the first map of

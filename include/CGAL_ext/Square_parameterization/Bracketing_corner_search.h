@@ -30,7 +30,7 @@ namespace CGAL_ext {
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
-/// or more when one has a map. On a mesh of 2500 vertices and more the first candidate is the only one when its map costs as
+/// or more (10000 while none has a map). On a mesh of 2500 vertices and more the first candidate is the only one when its map costs as
 /// much as those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of times, or a
 /// hundred times and costs as much as twelve.
 ///

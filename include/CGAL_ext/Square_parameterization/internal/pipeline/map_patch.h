@@ -6,7 +6,6 @@
 
 #include <CGAL_ext/Square_parameterization/Square_map_options.h>
 #include <CGAL_ext/Square_parameterization/Square_map_result.h>
-#include <CGAL_ext/Square_parameterization/internal/coarsening/is_mostly_border.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Deadline.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
@@ -176,17 +175,11 @@ inline Search_outcome map_patch(const Patch& patch, const Map_minimizer& minimiz
     finish_map(minimizer, visitor, outcome, least_poor);
   bool is_all_tried = true;
   if(settings.tries_other_starts && is_poor(outcome, least_poor) && !outcome.report.is_cancelled) {
-    // of polygons more candidates have a map than have one from other starts
-    const bool is_polygon = is_mostly_border(patch), may_go_on = would_go_on(patch, outcome);
-    const bool goes_on = may_go_on && persistence == Persistence::TO_THE_END;
-    if(is_polygon && goes_on)
-      search_longer(patch, minimizer, settings, outcome);
-    if(is_poor(outcome, least_poor) && !outcome.report.is_cancelled) {
-      const Tried_starts tried = try_other_starts(patch, minimizer, corners, settings, outcome, persistence);
-      report.start = tried.best;
-      is_all_tried = tried.are_all && goes_on == may_go_on;
-    }
-    if(!is_polygon && goes_on)
+    const bool may_go_on = would_go_on(patch, outcome), goes_on = may_go_on && persistence == Persistence::TO_THE_END;
+    const Tried_starts tried = try_other_starts(patch, minimizer, corners, settings, outcome, persistence);
+    report.start = tried.best;
+    is_all_tried = tried.are_all && goes_on == may_go_on;
+    if(goes_on)
       search_longer(patch, minimizer, settings, outcome);
   }
   if(is_poor(outcome, least_poor) || report.start != Map_start::AS_CHOSEN)

@@ -16,13 +16,13 @@ namespace internal {
 /// an even surface
 constexpr double MOST_SEARCH_WORK = 1200;
 
-/// the same by the size of the mesh: half as much on 5000 vertices or more, once there is a map. More: strips, and sheets with
-/// fins and nails, take up to half as long again, for the same corners. Less on smaller meshes: a knot 1 %, and surfaces with
-/// spikes more; while there is no map: some have none in the end.
+/// the same by the size of the mesh: half as much on 5000 vertices or more; while there is no map, on 10000. More: strips, and
+/// sheets with fins and nails, take up to half as long again, for the same corners. Less on smaller meshes: a knot 1 %, and surfaces
+/// with spikes more; while there is no map: some have none in the end.
 inline double most_search_work(int number_of_vertices, bool has_map)
 {
-  constexpr double SMALL = 2500; // vertices
-  return has_map ? MOST_SEARCH_WORK * (std::clamp)(SMALL / number_of_vertices, 0.5, 1.) : MOST_SEARCH_WORK;
+  const double small = has_map ? 2500 : 5000; // vertices
+  return MOST_SEARCH_WORK * (std::clamp)(small / number_of_vertices, 0.5, 1.);
 }
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be
@@ -51,7 +51,7 @@ constexpr int MOST_VERTICES_OF_MAP = 10000;
 /// what the maps of a search may cost, in vertices visited, until it makes no more of them while it has none
 inline double most_work_of_search(int number_of_vertices)
 {
-  return MOST_SEARCH_WORK * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
+  return most_search_work(number_of_vertices, false) * (std::min)(number_of_vertices, MOST_VERTICES_OF_MAP);
 }
 
 /// the same where they are those of several starts, beyond what starts may cost on any surface

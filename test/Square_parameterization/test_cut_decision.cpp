@@ -15,6 +15,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -491,7 +492,7 @@ TEST_CASE("cuts to begin with are scored as long as there is work left, and the 
   Cut_progress progress(nullptr);
   const auto work_of = [&](std::size_t count, long most_work) {
     Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
-    pool.start({cuts.begin(), cuts.begin() + count}, most_work);
+    pool.start(without_scores({cuts.begin(), cuts.begin() + count}), most_work);
     return pool.work();
   };
   const long all = work_of(cuts.size(), 1000 * surface.number_of_vertices());
@@ -500,6 +501,38 @@ TEST_CASE("cuts to begin with are scored as long as there is work left, and the 
   const long some = work_of(cuts.size(), (all + work_of(1, 0)) / 2);
   CHECK(work_of(1, 0) < some);
   CHECK(some < all);
+}
+
+TEST_CASE("where no time is left, cuts to begin with are compared by what they are worth on a simpler copy")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3));
+  std::vector<Cut> cuts;
+  const auto paths = shortest_paths(surface, {0});
+  for(int end : {20, 30, 40}) {
+    cuts.emplace_back(surface);
+    insert_path(surface, paths, end, cuts.back());
+  }
+  Thread_team team(2);
+  Cut_progress progress(nullptr);
+  const auto start_too_late = [&](const std::vector<Scored_cut>& starts) {
+    Cut_pool pool(surface, {}, 1e9, team, std::chrono::steady_clock::now(), progress);
+    pool.start(starts, 1000 * surface.number_of_vertices());
+    return pool;
+  };
+  std::vector<Scored_cut> starts = without_scores(cuts);
+  const Cut_pool pool_of_first = start_too_late(starts);
+  CHECK(pool_of_first.work() > 0);
+  CHECK(pool_of_first.best(0.05).cut.edges() == cuts[0].edges()); // all that is known
+
+  for(std::size_t i = 0; i < starts.size(); ++i)
+    starts[i].score = {2 - 0.1 * double(i), 0.01 * double(i), 0};
+  const Cut_pool pool = start_too_late(starts);
+  CHECK(pool.work() == 0);
+  CHECK(pool.best(0.05).cut.edges() == cuts[2].edges());
+  const std::vector<Scored_cut> selection = pool.selection(0.05);
+  REQUIRE(selection.size() == 1);
+  CHECK(selection[0].cut.edges() == cuts[2].edges());
+  CHECK(selection[0].score.stretch == 1.8);
 }
 
 TEST_CASE("a terminal with very many neighbors is moved to few of them")
@@ -511,7 +544,7 @@ TEST_CASE("a terminal with very many neighbors is moved to few of them")
     Cut_score_options scoring;
     scoring.numbers.most_neighbors = most_neighbors;
     Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
-    pool.start(rerouted_initial_cuts(surface, scoring.numbers, team), 0);
+    pool.start(without_scores(rerouted_initial_cuts(surface, scoring.numbers, team)), 0);
     Cut_history history(0.05);
     Cut_growth(pool, 0.05, 10000 * surface.number_of_vertices(), history)();
     return pool.work();
@@ -536,7 +569,7 @@ TEST_CASE("where no cut has a map, small steps of coarsening are tried for the f
   Thread_team team(1);
   Cut_progress progress(nullptr);
   Cut_pool pool(surface, options, 1e9, team, {}, progress);
-  pool.start(cuts, 1000 * surface.number_of_vertices());
+  pool.start(without_scores(cuts), 1000 * surface.number_of_vertices());
   CHECK(pool.work() == score(0, true).work + score(1, false).work);
 }
 
@@ -550,7 +583,7 @@ TEST_CASE("a cut is refined unless it leaves too much stretch, or a score costs 
     Cut_score_options scoring;
     scoring.numbers = numbers;
     Cut_pool pool(surface, scoring, 1e9, team, {}, progress);
-    pool.start({cut}, 0);
+    pool.start(without_scores({cut}), 0);
     const long work = pool.work();
     Cut_history history(0.05);
     Scored_cut best = pool.best(0.05);

@@ -91,18 +91,20 @@ public:
   }
 
   /// scores cuts to begin with, all of them well: the first, which tells what a score costs, and as many more as there is
-  /// work for. No more at a time than are known, since some cost ten times what the first has cost.
-  void start(const std::vector<Cut>& cuts, long work)
+  /// work for. No more at a time than are known, since some cost ten times what the first has cost. Where the deadline passes
+  /// before that, the others keep the scores that they have, which may be those on a simpler copy.
+  void start(const std::vector<Scored_cut>& cuts, long work)
   {
     std::size_t next = 0, end = 1;
     while(next < (std::min)(end, cuts.size())) {
       std::vector<Scored_cut> starts;
       for(; next < (std::min)(end, cuts.size()); ++next)
-        starts.push_back({cuts[next], Cut_step::INITIAL, -1});
+        starts.push_back(cuts[next]);
       const std::size_t number = starts.size();
       score(std::move(starts), 0, number);
-      const long left = has_passed(m_deadline) ? 0 : (std::max)(0L, most_work(work) - m_work);
-      end = next + (std::min)(next, static_cast<std::size_t>(left / work_per_score()));
+      const long left = (std::max)(0L, most_work(work) - m_work);
+      end = has_passed(m_deadline) ? cuts.size()
+                                   : next + (std::min)(next, static_cast<std::size_t>(left / work_per_score()));
     }
   }
 
@@ -134,17 +136,18 @@ public:
   }
 
   /// good cuts of different lengths, the shortest first: of each of `selected` equal ranges of length that which lies
-  /// least above the front, unless it lies far above. The best at \p weight alone when the deadline has passed.
-  std::vector<Cut> selection(double weight) const
+  /// least above the front, unless it lies far above. The best at \p weight alone when the deadline has passed. With their
+  /// scores here, and none of what these have cost.
+  std::vector<Scored_cut> selection(double weight) const
   {
     const std::vector<const Scored_cut*> best_cuts = front_of(m_known);
     if(has_passed(m_deadline) || best_cuts.empty())
-      return {best(weight).cut};
+      return {as_start(best(weight))};
     const double shortest = best_cuts.front()->score.length, longest = best_cuts.back()->score.length;
     struct Good_cut
     {
       double excess;
-      const Cut* cut;
+      const Scored_cut* cut;
     };
     std::vector<Good_cut> best_of_range(numbers().selected, {numbers().far, nullptr});
     for(const Scored_cut& known : m_known) {
@@ -155,16 +158,24 @@ public:
       Good_cut& best_here =
           best_of_range[(std::min)(numbers().selected - 1, static_cast<int>(place * numbers().selected))];
       if(excess < best_here.excess)
-        best_here = {excess, &known.cut};
+        best_here = {excess, &known};
     }
-    std::vector<Cut> cuts;
+    std::vector<Scored_cut> cuts;
     for(const Good_cut& good : best_of_range)
       if(good.cut != nullptr)
-        cuts.push_back(*good.cut);
+        cuts.push_back(as_start(*good.cut));
     return cuts;
   }
 
 private:
+  /// the cut to begin with on a finer surface, where its score has cost nothing yet
+  static Scored_cut as_start(const Scored_cut& known)
+  {
+    Scored_cut start{known.cut, Cut_step::INITIAL, -1, known.score};
+    start.score.work = 0;
+    return start;
+  }
+
   /// indicates whether one of the cuts has a one-to-one map
   bool has_map() const
   {
@@ -186,9 +197,12 @@ private:
         unknown.push_back(cut);
     }
     std::vector<std::optional<Cut_scoring>> scorings(unknown.size());
+    const auto must_be_scored = [&](std::size_t i) { // one of all cuts must have a score, be it that on a simpler copy
+      return m_known.size() + i == 0 && !std::isfinite(unknown[i].score.stretch);
+    };
     const bool is_persistent = m_known.empty(); // where the first cut has no map, others hardly ever do
     m_team(unknown.size(), [&](std::size_t i) {
-      if(m_known.size() + i == 0 || !has_passed(m_deadline)) // one of all cuts must have a score
+      if(!has_passed(m_deadline) || must_be_scored(i))
         unknown[i].score = scorings[i].emplace(m_surface, unknown[i].cut, m_scoring, is_persistent).score();
     });
     std::vector<std::size_t> chosen(unknown.size());
@@ -198,7 +212,7 @@ private:
     chosen.resize((std::min)(chosen.size(), number));
     m_team(chosen.size(), [&](std::size_t i) {
       std::optional<Cut_scoring>& scoring = scorings[chosen[i]];
-      if(scoring && (m_known.size() + chosen[i] == 0 || !has_passed(m_deadline))) {
+      if(scoring && (!has_passed(m_deadline) || must_be_scored(chosen[i]))) {
         scoring->refine();
         unknown[chosen[i]].score = scoring->score();
       }

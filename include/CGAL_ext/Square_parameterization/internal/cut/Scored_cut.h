@@ -28,6 +28,15 @@ struct Scored_cut
   Cut_score score = {};
 };
 
+/// cuts to begin with, whose scores are not known
+inline std::vector<Scored_cut> without_scores(std::vector<Cut> cuts)
+{
+  std::vector<Scored_cut> result;
+  for(Cut& cut : cuts)
+    result.push_back({std::move(cut), Cut_step::INITIAL, -1});
+  return result;
+}
+
 /// indicates whether the first has the lower score at a weight: see `Cut_options::cut_weight`
 struct Is_better
 {

@@ -170,7 +170,7 @@ private:
       refinement_work += work_of_refinement(surface, weight);
     m_progress.begin_part(REFINED, double(refinement_work));
     if(surface.is_disk()) // a cut that is not needed must pay
-      pool.start({Cut(surface)}, pool.work() + work_of_decision(surface));
+      pool.start(without_scores({Cut(surface)}), pool.work() + work_of_decision(surface));
     for(double weight : weights) {
       Scored_cut cut = pool.best(weight);
       refine_cut(pool, weight, work_of_refinement(surface, weight), cut, m_history);
@@ -226,8 +226,8 @@ private:
         simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
     const Triangle_surface& grown = copy ? *copy : surface;
     m_grows_on_surface = !copy;
-    std::vector<Cut> starts = rerouted_initial_cuts(grown, numbers(), m_team);
-    for(Cut& cut : cuts_grown_on_simpler_copies(grown))
+    std::vector<Scored_cut> starts = without_scores(rerouted_initial_cuts(grown, numbers(), m_team));
+    for(Scored_cut& cut : cuts_grown_on_simpler_copies(grown))
       starts.push_back(std::move(cut));
     m_progress.begin_part(GROWN, double(work_of_growth(grown) + (copy ? work_of_decision(surface) : 0)));
     Cut_pool pool_of_grown = grown_pool_for_long(grown, starts);
@@ -240,7 +240,7 @@ private:
 
   /// cuts of different lengths that are grown on simpler copies of the surface, and carried over. Copies know nothing of each
   /// other, and are worked on concurrently: the few scores that compete on one would leave threads idle.
-  std::vector<Cut> cuts_grown_on_simpler_copies(const Triangle_surface& grown)
+  std::vector<Scored_cut> cuts_grown_on_simpler_copies(const Triangle_surface& grown)
   {
     const std::vector<Triangle_surface> copies = simpler_copies(grown);
     long work = 0;
@@ -250,7 +250,7 @@ private:
       m_progress.begin_part(GROWN_ON_SIMPLER_COPIES, double(work));
     struct Growth
     {
-      std::vector<Cut> cuts;
+      std::vector<Scored_cut> cuts;
       Cut_history history;
     };
     std::vector<Growth> growths(copies.size(), {{}, Cut_history(m_weight)});
@@ -258,7 +258,7 @@ private:
       if(!has_passed(m_deadline))
         growths[i].cuts = lifted(copies[i], grow_family(copies[i], growths[i].history), grown);
     });
-    std::vector<Cut> cuts;
+    std::vector<Scored_cut> cuts;
     for(Growth& growth : growths) {
       m_history.add(growth.history);
       std::move(growth.cuts.begin(), growth.cuts.end(), std::back_inserter(cuts));
@@ -290,16 +290,17 @@ private:
   }
 
   /// cuts of different lengths, none of which need be good
-  std::vector<Cut> grow_family(const Triangle_surface& surface, Cut_history& history)
+  std::vector<Scored_cut> grow_family(const Triangle_surface& surface, Cut_history& history)
   {
-    const Cut_pool pool = grown_pool(surface, rerouted_initial_cuts(surface, numbers(), m_team), history);
+    const std::vector<Scored_cut> starts = without_scores(rerouted_initial_cuts(surface, numbers(), m_team));
+    const Cut_pool pool = grown_pool(surface, starts, history);
     m_progress.advance(double((std::max)(0L, work_of_growth(surface) - pool.work()))); // which was not needed
     return pool.selection(m_weight);
   }
 
   /// all that are grown; where the best of them still leaves much stretch they grow for longer, on a surface so small that it may
   /// be for twice as long at least
-  Cut_pool grown_pool_for_long(const Triangle_surface& surface, const std::vector<Cut>& starts)
+  Cut_pool grown_pool_for_long(const Triangle_surface& surface, const std::vector<Scored_cut>& starts)
   {
     Cut_pool pool = grown_pool(surface, starts, m_history);
     const long work = work_of_growth(surface),
@@ -310,7 +311,7 @@ private:
     return pool;
   }
 
-  Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Cut>& starts, Cut_history& history)
+  Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Scored_cut>& starts, Cut_history& history)
   {
     Cut_pool pool = make_pool(surface, numbers().score_tolerance);
     const long most_work = work_of_growth(surface);
@@ -330,10 +331,11 @@ private:
     }
   }
 
-  /// the cuts carried over to a finer surface
-  std::vector<Cut> lifted(const Triangle_surface& simple, std::vector<Cut> cuts, const Triangle_surface& surface)
+  /// the cuts carried over to a finer surface, with the scores that they have
+  std::vector<Scored_cut> lifted(const Triangle_surface& simple, std::vector<Scored_cut> cuts,
+                                 const Triangle_surface& surface)
   {
-    m_team(cuts.size(), [&](std::size_t i) { cuts[i] = lift_cut(simple, cuts[i], surface, numbers()); });
+    m_team(cuts.size(), [&](std::size_t i) { cuts[i].cut = lift_cut(simple, cuts[i].cut, surface, numbers()); });
     return cuts;
   }
 

@@ -59,7 +59,8 @@ inline void check_settings(const Square_map_settings& settings)
 inline Seam_options seam_options(const Square_map_settings& settings)
 {
   Seam_options options(settings.cut);
-  options.deadline = part_way_to(settings.search_options.deadline, 0.5);
+  // a larger share leaves large surfaces without a map, a smaller one with worse cuts, and time that is not used
+  options.deadline = part_way_to(settings.search_options.deadline, 0.6);
   options.visitor = settings.search_options.visitor;
   const auto* balanced = std::get_if<Balanced_minimization>(&settings.minimization);
   if(balanced != nullptr) {

@@ -10,6 +10,7 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/refine_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/simplified_copy.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/square_search.h>
 

@@ -12,6 +12,7 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/simplified_copy.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface.h>
 
 #include <catch2/catch.hpp>

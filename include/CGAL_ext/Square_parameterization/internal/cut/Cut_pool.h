@@ -45,18 +45,6 @@ inline bool may_be_freed(const Triangle_surface& surface, const Cut& cut)
   return cut.terminals().size() > (surface.border_loops.empty() && surface.genus() == 0 ? 2u : 0u);
 }
 
-/// the number of holes, and twice that of handles
-inline int number_of_loops(const Triangle_surface& surface)
-{
-  return 2 * surface.genus() + static_cast<int>(surface.border_loops.size());
-}
-
-/// indicates whether the handles and holes make one cut much like another, and a terminal more or less nothing
-inline bool has_many_loops(const Triangle_surface& surface, const Cut_numbers& numbers)
-{
-  return number_of_loops(surface) >= numbers.many_loops;
-}
-
 /// all cuts of one surface that were scored. None is scored twice; those that compete are scored concurrently, and the
 /// result is the same for any number of threads.
 class Cut_pool

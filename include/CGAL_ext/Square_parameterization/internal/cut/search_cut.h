@@ -12,16 +12,10 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/Decided_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Triangle_surface.h>
 
-#include <optional>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// a copy of about \p faces triangles, and more when there are many handles and holes; nothing when the surface has
-/// hardly more, or cannot be simplified in time
-std::optional<Triangle_surface> simplified_copy(const Triangle_surface& surface, int faces,
-                                                const Cut_numbers& numbers = {}, const Deadline& deadline = {});
 
 /// decides on a cut that leaves little stretch. A family of cuts of all lengths is grown on simple copies, for the same
 /// weights whatever weight is wanted; its best members are scored again on a finer copy. On a small surface the best of them

@@ -4,21 +4,21 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_IMPL_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_CUT_SEARCH_CUT_IMPL_H
 
-#include <CGAL_ext/Square_parameterization/internal/coarsening/coarsen_surface.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/Family_growth.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/judge_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/lift_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/number_of_loops.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/refine_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/surface/decimate_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/simplified_copy.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/weights_of_family.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,45 +26,6 @@
 
 namespace CGAL_ext {
 namespace internal {
-
-CGAL_EXT_INLINE_FUNCTION std::optional<Triangle_surface>
-simplified_copy(const Triangle_surface& surface, int faces, const Cut_numbers& numbers, const Deadline& deadline)
-{
-  faces += numbers.faces_per_loop * number_of_loops(surface);
-  const auto is_hardly_less = [&](int count) { return surface.number_of_faces() <= numbers.least_reduction * count; };
-  if(is_hardly_less(faces))
-    return std::nullopt;
-  std::optional<Triangle_surface> copy =
-      surface.number_of_faces() > numbers.very_fine * faces
-          ? decimate_surface(coarsen_surface(surface, static_cast<int>(numbers.still_fine * faces)), faces, deadline)
-          : decimate_surface(surface, faces, deadline);
-  if(copy && is_hardly_less(copy->number_of_faces())) // the topology, or the shape, allows no less
-    copy.reset();
-  return copy;
-}
-
-constexpr double HEAVIEST_OF_FAMILY = 0.2;
-constexpr int FAMILY_WEIGHTS = 5; // each half of the one before
-
-/// indicates whether a weight lies outside those of the family
-inline bool is_outside_family(double weight)
-{
-  return weight > HEAVIEST_OF_FAMILY || weight < std::ldexp(HEAVIEST_OF_FAMILY, 1 - FAMILY_WEIGHTS);
-}
-
-/// the weights at which cuts are grown, the heaviest first: always the same, so that what is found does not depend on
-/// the weight wanted; and that, where it lies outside
-inline std::vector<double> weights_of_family(double wanted)
-{
-  std::vector<double> weights;
-  for(int i = 0; i < FAMILY_WEIGHTS; ++i)
-    weights.push_back(std::ldexp(HEAVIEST_OF_FAMILY, -i));
-  if(wanted > weights.front())
-    weights.insert(weights.begin(), wanted);
-  if(wanted < weights.back())
-    weights.push_back(wanted);
-  return weights;
-}
 
 /// see `search_cut()`
 class Cut_decision
@@ -74,7 +35,6 @@ public:
     : m_options(options),
       m_weight(options.cut_weight),
       m_scoring{options.balance, options.aspect, options.moves_corners, numbers, options.deadline},
-      m_max_cut_length(options.max_cut_length),
       m_deadline(options.deadline),
       m_progress(options.visitor),
       m_team(team),
@@ -94,8 +54,8 @@ public:
   }
 
 private:
-  // shares of the time of the whole decision that have passed when its parts end: medians of fifteen surfaces
-  static constexpr double SIMPLIFIED = 0.04, GROWN_ON_SIMPLER_COPIES = 0.42, GROWN = 0.78, REFINED = 0.82;
+  // see `Family_growth`
+  static constexpr double SIMPLIFIED = 0.04, REFINED = 0.82;
   static constexpr double DECIDED_ON_SQUARE = 0.2; // where the best rectangle is wanted
 
   std::vector<Decided_cut> decide_on_copy(const Triangle_surface& surface)
@@ -146,16 +106,6 @@ private:
 
   const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
-  /// \param tolerance of the good scores
-  Cut_pool make_pool(const Triangle_surface& surface, double tolerance)
-  {
-    Cut_score_options scoring = m_scoring;
-    scoring.numbers.score_tolerance = tolerance;
-    if(m_grows_on_surface)
-      scoring.numbers.times_work_without_map = numbers().times_work_without_map_of_small;
-    return {surface, scoring, m_max_cut_length, m_team, m_deadline, m_progress};
-  }
-
   /// good cuts of different lengths are grown on simple copies, scored again on the surface itself, the best of them
   /// refined where that costs little, and the last few judged. Returns those that come near the best. Where the best rectangle is
   /// wanted, what is found so for the square competes.
@@ -163,14 +113,14 @@ private:
   {
     const bool is_best_rectangle = !m_scoring.aspect;
     const std::vector<Scored_cut> on_square = is_best_rectangle ? cuts_on_square(surface) : std::vector<Scored_cut>();
-    Cut_pool pool = pool_of_grown_cuts(surface);
+    Cut_pool pool = Family_growth(m_options, m_scoring, m_team, m_progress, m_history)(surface);
     const std::vector<double> weights = weights_of_family(m_weight);
     long refinement_work = 0;
     for(double weight : weights)
       refinement_work += work_of_refinement(surface, weight);
     m_progress.begin_part(REFINED, double(refinement_work));
     if(surface.is_disk()) // a cut that is not needed must pay
-      pool.start(without_scores({Cut(surface)}), pool.work() + work_of_decision(surface));
+      pool.start(without_scores({Cut(surface)}), pool.work() + work_of_decision(surface, numbers()));
     for(double weight : weights) {
       Scored_cut cut = pool.best(weight);
       refine_cut(pool, weight, work_of_refinement(surface, weight), cut, m_history);
@@ -217,134 +167,6 @@ private:
     return cuts;
   }
 
-  /// cuts that are grown on a simple copy, and of these good ones of different lengths, scored on the surface; on a small one
-  /// cuts are grown themselves. What was grown on still simpler copies competes there, for growth ends in one of many local
-  /// minima: copies that differ end in others.
-  Cut_pool pool_of_grown_cuts(const Triangle_surface& surface)
-  {
-    const std::optional<Triangle_surface> copy =
-        simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
-    const Triangle_surface& grown = copy ? *copy : surface;
-    m_grows_on_surface = !copy;
-    std::vector<Scored_cut> starts = without_scores(rerouted_initial_cuts(grown, numbers(), m_team));
-    for(Scored_cut& cut : cuts_grown_on_simpler_copies(grown))
-      starts.push_back(std::move(cut));
-    m_progress.begin_part(GROWN, double(work_of_growth(grown) + (copy ? work_of_decision(surface) : 0)));
-    Cut_pool pool_of_grown = grown_pool_for_long(grown, starts);
-    if(!copy)
-      return pool_of_grown;
-    Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
-    pool.start(lifted(grown, pool_of_grown.selection(m_weight), surface), work_of_decision(surface));
-    return pool;
-  }
-
-  /// cuts of different lengths that are grown on simpler copies of the surface, and carried over. Copies know nothing of each
-  /// other, and are worked on concurrently: the few scores that compete on one would leave threads idle.
-  std::vector<Scored_cut> cuts_grown_on_simpler_copies(const Triangle_surface& grown)
-  {
-    const std::vector<Triangle_surface> copies = simpler_copies(grown);
-    long work = 0;
-    for(const Triangle_surface& copy : copies)
-      work += work_of_growth(copy);
-    if(!copies.empty())
-      m_progress.begin_part(GROWN_ON_SIMPLER_COPIES, double(work));
-    struct Growth
-    {
-      std::vector<Scored_cut> cuts;
-      Cut_history history;
-    };
-    std::vector<Growth> growths(copies.size(), {{}, Cut_history(m_weight)});
-    m_team(copies.size(), [&](std::size_t i) {
-      if(!has_passed(m_deadline))
-        growths[i].cuts = lifted(copies[i], grow_family(copies[i], growths[i].history), grown);
-    });
-    std::vector<Scored_cut> cuts;
-    for(Growth& growth : growths) {
-      m_history.add(growth.history);
-      std::move(growth.cuts.begin(), growth.cuts.end(), std::back_inserter(cuts));
-    }
-    return cuts;
-  }
-
-  /// copies of different numbers of faces: handles may keep some from getting simpler, and each is to be grown on once
-  std::vector<Triangle_surface> simpler_copies(const Triangle_surface& grown)
-  {
-    std::vector<std::optional<Triangle_surface>> simplified(m_grows_on_surface ? numbers().simpler_copies_of_small
-                                                                               : numbers().simpler_copies);
-    m_team(simplified.size(), [&](std::size_t i) {
-      simplified[i] = simplified_copy(grown, faces_of_simpler_copy(static_cast<int>(i)), numbers(), m_deadline);
-    });
-    std::set<int> sizes{grown.number_of_faces()};
-    std::vector<Triangle_surface> copies;
-    for(std::optional<Triangle_surface>& copy : simplified)
-      if(copy && sizes.insert(copy->number_of_faces()).second)
-        copies.push_back(std::move(*copy));
-    return copies;
-  }
-
-  /// between the simplest and the one that is grown on at last
-  int faces_of_simpler_copy(int i) const
-  {
-    const int simplest = numbers().simplest_growth_faces;
-    return simplest + i * (numbers().growth_faces - simplest) / (numbers().simpler_copies + 1);
-  }
-
-  /// cuts of different lengths, none of which need be good
-  std::vector<Scored_cut> grow_family(const Triangle_surface& surface, Cut_history& history)
-  {
-    const std::vector<Scored_cut> starts = without_scores(rerouted_initial_cuts(surface, numbers(), m_team));
-    const Cut_pool pool = grown_pool(surface, starts, history);
-    m_progress.advance(double((std::max)(0L, work_of_growth(surface) - pool.work()))); // which was not needed
-    return pool.selection(m_weight);
-  }
-
-  /// all that are grown; where the best of them still leaves much stretch they grow for longer, on a surface so small that it may
-  /// be for twice as long at least
-  Cut_pool grown_pool_for_long(const Triangle_surface& surface, const std::vector<Scored_cut>& starts)
-  {
-    Cut_pool pool = grown_pool(surface, starts, m_history);
-    const long work = work_of_growth(surface),
-               long_work = (std::min)(numbers().times_growth_work * work, numbers().long_growth_work);
-    if(pool.best(m_weight).score.stretch > numbers().large_stretch && !has_many_loops(surface, numbers()) &&
-       long_work >= 2 * work)
-      grow(pool, long_work, m_history);
-    return pool;
-  }
-
-  Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Scored_cut>& starts, Cut_history& history)
-  {
-    Cut_pool pool = make_pool(surface, numbers().score_tolerance);
-    const long most_work = work_of_growth(surface);
-    pool.start(starts, (std::max)(most_work, growth_work_per_vertex() * surface.number_of_vertices()));
-    grow(pool, most_work, history);
-    return pool;
-  }
-
-  /// at each weight growth goes on with the best cut met at all
-  /// \param most_work of the pool, in vertices mapped
-  void grow(Cut_pool& pool, long most_work, Cut_history& history)
-  {
-    const std::vector<double> weights = weights_of_family(m_weight);
-    for(std::size_t i = 0; i < weights.size(); ++i) {
-      const long done = pool.work();
-      Cut_growth(pool, weights[i], done + (most_work - done) / static_cast<long>(weights.size() - i), history)();
-    }
-  }
-
-  /// the cuts carried over to a finer surface, with the scores that they have
-  std::vector<Scored_cut> lifted(const Triangle_surface& simple, std::vector<Scored_cut> cuts,
-                                 const Triangle_surface& surface)
-  {
-    m_team(cuts.size(), [&](std::size_t i) { cuts[i].cut = lift_cut(simple, cuts[i].cut, surface, numbers()); });
-    return cuts;
-  }
-
-  /// what the scores of cuts that are carried over may cost, in vertices mapped
-  long work_of_decision(const Triangle_surface& surface) const
-  {
-    return numbers().decision_work_per_vertex * surface.number_of_vertices();
-  }
-
   /// what it may cost to refine a cut for a weight, in vertices mapped
   long work_of_refinement(const Triangle_surface& surface, double weight) const
   {
@@ -353,31 +175,14 @@ private:
     return number_of_loops(surface) <= numbers().most_loops_refined ? numbers().refinement_work : 0;
   }
 
-  /// vertices mapped
-  long growth_work_per_vertex() const
-  {
-    return m_grows_on_surface ? numbers().growth_work_of_small : numbers().growth_work_per_vertex;
-  }
-
-  /// what growth may cost, in vertices mapped; it may end earlier
-  long work_of_growth(const Triangle_surface& surface) const
-  {
-    const long by_size =
-        (std::max)(numbers().least_growth_work, growth_work_per_vertex() * surface.number_of_vertices());
-    return (std::min)(by_size,
-                      has_many_loops(surface, numbers()) ? numbers().little_growth_work : numbers().growth_work);
-  }
-
   const Seam_options m_options;
   const double m_weight;
   const Cut_score_options m_scoring;
-  const double m_max_cut_length;
   const Deadline m_deadline;
   Cut_progress m_progress;
   Thread_team& m_team;
   Cut_report& m_report;
   Cut_history m_history;
-  bool m_grows_on_surface = false; // there is no copy to grow on: the surface is small, nearly always
 };
 
 CGAL_EXT_INLINE_FUNCTION std::vector<Decided_cut> search_cut(const Triangle_surface& surface,

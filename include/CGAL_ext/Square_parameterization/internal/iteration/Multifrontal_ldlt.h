@@ -6,26 +6,18 @@
 
 #include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Elimination_fronts.h>
+#include <CGAL_ext/Square_parameterization/internal/iteration/dense_columns.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// indicates whether a matrix can be divided by a number
-inline bool is_pivot(double number)
-{
-  return std::isfinite(number) && number != 0;
-}
 
 /// factors symmetric matrices A = L D L^T of one pattern along their diagonal, front by front (see
 /// `Elimination_fronts`). No pivot is looked for: the matrices are positive definite, or nearly so. Parts of the fronts
@@ -99,9 +91,8 @@ public:
 private:
   static constexpr int TILE = Elimination_front::TILE;
 
-  /// what stands in one row of the right hand sides, or of the solutions
   template <int COLUMNS>
-  using Row = Eigen::Array<Number, COLUMNS, 1>;
+  using Row = Row_of_columns<Number, COLUMNS>;
 
   std::size_t number_of_stages() const { return m_fronts->stages().size() - 1; }
 
@@ -192,23 +183,6 @@ private:
       visit(copy, m_fronts->originals()[copy - n]);
   }
 
-  /// calls `use` with a constant of a width, 1 to `TILE`: loops of so many turns are unrolled
-  template <class Use>
-  static void for_width(int width, const Use& use)
-  {
-    static_assert(TILE == 4);
-    switch(width) {
-    case 1:
-      return use(std::integral_constant<int, 1>());
-    case 2:
-      return use(std::integral_constant<int, 2>());
-    case 3:
-      return use(std::integral_constant<int, 3>());
-    default:
-      return use(std::integral_constant<int, TILE>());
-    }
-  }
-
   /// sets the columns of a front to those of the matrix with the contributions of its children, and its own contribution
   /// to what these leave to it
   void assemble(const Elimination_front& front, const Number* values)
@@ -244,91 +218,24 @@ private:
     for(int j = 0; j < front.width && is_sound; j += TILE) {
       Number* const columns = m_factor.data() + front.values + std::size_t(j) * stride + j; // from their diagonal on
       for_width(front.width - j, [&](auto width) {
-        subtract_products<width()>(front, j, j, columns, stride, factors);
-        is_sound = eliminate<width()>(columns, stride, front.height - j, m_diagonal.data() + front.first + j);
+        subtract_products<width()>(m_factor.data() + front.values + j, stride, j, m_diagonal.data() + front.first,
+                                   columns, stride, front.height - j, factors);
+        is_sound = eliminate_columns<width()>(columns, stride, front.height - j, m_diagonal.data() + front.first + j);
       });
     }
     return is_sound;
   }
 
-  /// eliminates columns of a front from which all before are subtracted
-  /// \param columns `WIDTH` columns, from the diagonal of the first on, of `height` rows
-  template <int WIDTH>
-  static bool eliminate(Number* columns, int stride, int height, Number* diagonal)
-  {
-    std::array<Number, WIDTH> inverses;
-    std::array<std::array<Number, WIDTH>, WIDTH> factors; // of a column, for those after it
-    for(int k = 0; k < WIDTH; ++k) {
-      const Number pivot = columns[k * stride + k];
-      if(!is_pivot(pivot))
-        return false;
-      diagonal[k] = pivot;
-      inverses[k] = Number(1) / pivot;
-      for(int i = k + 1; i < WIDTH; ++i) {
-        columns[k * stride + i] *= inverses[k];
-        factors[k][i] = columns[k * stride + i] * pivot;
-        for(int next = k + 1; next <= i; ++next)
-          columns[next * stride + i] -= columns[k * stride + i] * factors[k][next];
-      }
-    }
-    for(int i = WIDTH; i < height; ++i) { // row by row: its entries are read and written once
-      std::array<Number, WIDTH> row;
-      for(int k = 0; k < WIDTH; ++k)
-        row[k] = columns[k * stride + i];
-      for(int k = 0; k < WIDTH; ++k) {
-        row[k] *= inverses[k];
-        for(int next = k + 1; next < WIDTH; ++next)
-          row[next] -= row[k] * factors[k][next];
-      }
-      for(int k = 0; k < WIDTH; ++k)
-        columns[k * stride + i] = row[k];
-    }
-    return true;
-  }
-
   /// subtracts from the contribution of a front what its elimination does to it
   void contribute(const Elimination_front& front, std::vector<Number>& factors)
   {
-    const int stride = front.contribution_stride();
-    for(int j = 0; j < front.rows_of_parent(); j += TILE)
-      subtract_products(front, front.width, front.width + j, (std::min)(TILE, front.rows_of_parent() - j),
-                        contribution_of(front) + std::size_t(j) * stride + j, stride, factors);
-  }
-
-  /// subtracts from columns what the first \p pivots columns of the front do to them:
-  /// x(i, k) -= sum over p of L(j + i, p) D(p) L(j + k, p)
-  /// \param factors memory of the caller
-  /// \param x `width` columns, at most `TILE`, from row and column `j` of the front on
-  void subtract_products(const Elimination_front& front, int pivots, int j, int width, Number* x, int stride,
-                         std::vector<Number>& factors)
-  {
-    for_width(width, [&](auto constant) { subtract_products<constant()>(front, pivots, j, x, stride, factors); });
-  }
-
-  template <int WIDTH>
-  void subtract_products(const Elimination_front& front, int pivots, int j, Number* x, int stride,
-                         std::vector<Number>& factors)
-  {
-    // at once: of more the sums do not fit into the registers that all processors have
-    constexpr int ROWS = TILE * sizeof(double) / sizeof(Number);
-    using Tile_column = Eigen::Array<Number, ROWS, 1>;
-    const Number* const l = m_factor.data() + front.values + j;
-    factors.resize((std::max)(factors.size(), std::size_t(pivots) * WIDTH));
-    for(int p = 0; p < pivots; ++p)
-      for(int k = 0; k < WIDTH; ++k)
-        factors[p * WIDTH + k] = m_diagonal[front.first + p] * l[std::size_t(p) * front.stride() + k];
-    for(int i = 0; i < front.height - j; i += ROWS) {
-      Tile_column tile[WIDTH]; // stays in registers
-      for(int k = 0; k < WIDTH; ++k)
-        tile[k] = Eigen::Map<const Tile_column>(x + std::size_t(k) * stride + i);
-      const Number* column = l + i;
-      const Number* factor = factors.data();
-      for(int p = 0; p < pivots; ++p, column += front.stride(), factor += WIDTH)
-        for(int k = 0; k < WIDTH; ++k)
-          tile[k] -= Eigen::Map<const Tile_column>(column) * factor[k];
-      for(int k = 0; k < WIDTH; ++k)
-        Eigen::Map<Tile_column>(x + std::size_t(k) * stride + i) = tile[k];
-    }
+    const int stride = front.contribution_stride(), rows = front.rows_of_parent();
+    for(int j = 0; j < rows; j += TILE)
+      for_width(rows - j, [&](auto width) {
+        subtract_products<width()>(m_factor.data() + front.values + front.width + j, front.stride(), front.width,
+                                   m_diagonal.data() + front.first,
+                                   contribution_of(front) + std::size_t(j) * stride + j, stride, rows - j, factors);
+      });
   }
 
   /// solves with the columns of L of a front
@@ -342,7 +249,7 @@ private:
       in_front[i] = x[rows[i]];
     for(int j = 0; j < front.width; j += TILE)
       for_width(front.width - j, [&](auto width) {
-        solve_lower<width()>(columns_from(front, j), front.stride(), front.height - j, in_front.data() + j);
+        solve_lower_columns<width()>(columns_from(front, j), front.stride(), front.height - j, in_front.data() + j);
       });
     for(int i = 0; i < front.height; ++i)
       x[rows[i]] = in_front[i];
@@ -358,45 +265,11 @@ private:
       in_front[i] = x[rows[i]];
     for(int j = (front.width - 1) / TILE * TILE; j >= 0; j -= TILE)
       for_width(front.width - j, [&](auto width) {
-        solve_upper<width()>(columns_from(front, j), front.stride(), front.height - j,
-                             m_diagonal.data() + front.first + j, in_front.data() + j);
+        solve_upper_columns<width()>(columns_from(front, j), front.stride(), front.height - j,
+                                     m_diagonal.data() + front.first + j, in_front.data() + j);
       });
     for(int j = 0; j < front.width; ++j)
       x[rows[j]] = in_front[j];
-  }
-
-  /// \param columns `WIDTH` columns of L, from the diagonal of the first on
-  /// \param x `height` rows
-  template <int WIDTH, int COLUMNS>
-  static void solve_lower(const Number* columns, int stride, int height, Row<COLUMNS>* x)
-  {
-    for(int k = 0; k < WIDTH; ++k)
-      for(int i = k + 1; i < WIDTH; ++i)
-        x[i] -= x[k] * columns[k * stride + i];
-    std::array<Row<COLUMNS>, WIDTH> solved;
-    std::copy_n(x, WIDTH, solved.begin());
-    for(int i = WIDTH; i < height; ++i) {
-      Row<COLUMNS> row = x[i];
-      for(int k = 0; k < WIDTH; ++k)
-        row -= solved[k] * columns[k * stride + i];
-      x[i] = row;
-    }
-  }
-
-  template <int WIDTH, int COLUMNS>
-  static void solve_upper(const Number* columns, int stride, int height, const Number* diagonal, Row<COLUMNS>* x)
-  {
-    std::array<Row<COLUMNS>, WIDTH> sums;
-    for(int k = 0; k < WIDTH; ++k)
-      sums[k] = Row<COLUMNS>::Constant(Number(0));
-    for(int i = WIDTH; i < height; ++i)
-      for(int k = 0; k < WIDTH; ++k)
-        sums[k] += x[i] * columns[k * stride + i];
-    for(int k = WIDTH - 1; k >= 0; --k) {
-      x[k] = x[k] / diagonal[k] - sums[k];
-      for(int i = k + 1; i < WIDTH; ++i)
-        x[k] -= x[i] * columns[k * stride + i];
-    }
   }
 
   /// the columns of L of a front from the j-th on, from its diagonal on

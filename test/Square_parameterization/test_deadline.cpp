@@ -166,6 +166,13 @@ TEST_CASE("a map with given corners whose deadline passes is marked")
   CHECK(outcome.report.best_candidate);
 }
 
+TEST_CASE("a deadline of long ago has parts that are over, too")
+{
+  const Deadline deadline = std::chrono::steady_clock::time_point::min();
+  CHECK(part_way_to(deadline, 0.5) == deadline);
+  CHECK_FALSE(part_way_to({}, 0.5));
+}
+
 TEST_CASE("a simplification whose deadline has passed gives nothing")
 {
   const Triangle_surface surface = surface_of(ellipsoid(5));

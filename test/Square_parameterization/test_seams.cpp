@@ -18,6 +18,7 @@
 
 #include <chrono>
 #include <iterator>
+#include <limits>
 #include <map>
 
 using namespace CGAL_ext;
@@ -165,10 +166,17 @@ TEST_CASE("a disk gets no seams, a surface that may not be cut is refused")
   CHECK_THAT(result.message, Contains("not a disk"));
   CHECK(none.vertices.empty()); // nothing was written
 
+  const auto status_of = [&](const Seam_options& wrong) {
+    return mark_seams(sphere, none.edge_map(), none.vertex_map(), parameters::options(wrong)).status;
+  };
   options = Seam_options();
   options.max_cut_length = -1;
-  CHECK(mark_seams(sphere, none.edge_map(), none.vertex_map(), parameters::options(options)).status ==
-        SMP::ERROR_WRONG_PARAMETER);
+  CHECK(status_of(options) == SMP::ERROR_WRONG_PARAMETER);
+  for(double aspect : {0., -1., 1e-4, 2e3, std::numeric_limits<double>::quiet_NaN()}) {
+    options = Seam_options();
+    options.aspect = aspect;
+    CHECK(status_of(options) == SMP::ERROR_WRONG_PARAMETER);
+  }
 }
 
 TEST_CASE("a deadline ends the comparison of cuts: the seams make a disk, and the report says so")

@@ -7,13 +7,19 @@
 
 #include <CGAL_ext/Square_parameterization/Circular_border_arc_length_parameterizer_3.h>
 #include <CGAL_ext/Square_parameterization/Square_border_arc_length_parameterizer_3.h>
+#include <CGAL_ext/Square_parameterization/measure_stretch.h>
 #include <CGAL_ext/Square_parameterization/parameterize_onto_square.h>
 
 #include <CGAL/boost/graph/generators.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
+#include <vector>
 
 using namespace CGAL_ext;
 
@@ -183,6 +189,13 @@ TEST_CASE("the borders without a search refuse what they cannot place")
   CHECK(status_of(Square(), Surface_mesh::null_halfedge()) == SMP::ERROR_BORDER_TOO_SHORT);
   CHECK(status_of(Circle(), bhd) == SMP::OK);
   CHECK(status_of(Circle(), Surface_mesh::null_halfedge()) == SMP::ERROR_BORDER_TOO_SHORT);
+  const auto halves = mesh.halfedges();
+  const halfedge_descriptor inner = *std::find_if(
+      halves.begin(), halves.end(), [&mesh](halfedge_descriptor h) { return !mesh.is_border(edge(h, mesh)); });
+  for(halfedge_descriptor h : {opposite(bhd, mesh), inner}) {
+    CHECK(status_of(Square(), h) == SMP::ERROR_BORDER_TOO_SHORT);
+    CHECK(status_of(Circle(), h) == SMP::ERROR_BORDER_TOO_SHORT);
+  }
   CHECK(status_of(Circle(0), bhd) == SMP::ERROR_WRONG_PARAMETER);
   CHECK(status_of(Circle(-1), bhd) == SMP::ERROR_WRONG_PARAMETER);
 }
@@ -236,4 +249,88 @@ TEST_CASE("the borders without a search measure polygons, and refuse surfaces wi
   CHECK(status() == SMP::ERROR_NO_1_TO_1_MAPPING);
   mesh.point(*mesh.vertices().begin()) = Kernel::Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0);
   CHECK(status() == SMP::ERROR_WRONG_PARAMETER);
+}
+
+TEST_CASE("a mesh with places of removed vertices is mapped as it is without them")
+{
+  Surface_mesh mesh;
+  const vertex_descriptor removed = mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  std::vector<vertex_descriptor> fan;
+  for(const auto& [x, y] : {std::pair(0., 0.), {3., 0.}, {3., 1.}, {1., 2.}, {0., 1.}})
+    fan.push_back(mesh.add_vertex(Kernel::Point_3(x, y, 0)));
+  for(std::size_t k = 2; k < fan.size(); ++k) // its edges inside are chords, and get vertices
+    mesh.add_face(fan[0], fan[k - 1], fan[k]);
+  mesh.remove_vertex(removed);
+  Surface_mesh compact = mesh;
+  compact.collect_garbage();
+
+  const auto map = [](Surface_mesh& of) {
+    Uv_storage<Surface_mesh, Point_2> storage;
+    const Square_map_result<Surface_mesh> result = parameterize_onto_square(of, storage.map());
+    REQUIRE(result.status == SMP::OK);
+    CHECK(count_orientations(of, storage).counterclockwise == of.number_of_faces());
+    const std::vector<double> measured = measure_stretch(of, storage.map()).face_l2;
+    REQUIRE(result.measures.face_l2.size() == measured.size());
+    for(std::size_t f = 0; f < measured.size(); ++f)
+      CHECK(result.measures.face_l2[f] == Approx(measured[f]));
+    return result.measures.l2;
+  };
+  CHECK(map(mesh) == Approx(map(compact)));
+  CHECK(mesh.number_of_faces() == compact.number_of_faces());
+  CHECK(mesh.number_of_faces() > 3);
+}
+
+TEST_CASE("a seam that is an edge without a face is refused")
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(unit_square(3));
+  Square_map_options<Surface_mesh> options;
+  options.seams = {CGAL::Euler::add_edge(mesh.add_vertex({0, 0, 1}), mesh.add_vertex({0, 0, 2}), mesh)};
+  Uv_storage<Surface_mesh, Point_2> storage;
+  const auto result = parameterize_onto_square(mesh, storage.map(), parameters::options(options));
+  CHECK(result.status == SMP::ERROR_WRONG_PARAMETER);
+  CHECK(result.message == "a seam is not an edge of a face of the mesh");
+}
+
+TEST_CASE("a map whose triangles a uv map of floats would round flat is refused")
+{
+  Flat_mesh flat = rectangle(8, 8, 1, 1, 1, 0);
+  for(Eigen::Vector3d& p : flat.points) // three columns that are 2e-8 apart, whichever way the square is turned
+    if(std::abs(p.x() - 0.5) < 0.2)
+      p.x() = 0.5 + 1.6e-7 * (p.x() - 0.5);
+  const auto status_of = [&flat](auto kernel) {
+    typedef typename decltype(kernel)::Point_2 Uv;
+    Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
+    Uv_storage<Surface_mesh, Uv> storage;
+    const auto result = parameterize_onto_square(mesh, storage.map());
+    CHECK(storage.contains(vertex_at(mesh, 0)) == (result.status == SMP::OK));
+    return result.status;
+  };
+  CHECK(status_of(Kernel()) == SMP::OK);
+  CHECK(status_of(CGAL::Simple_cartesian<float>()) == SMP::ERROR_NO_1_TO_1_MAPPING);
+}
+
+TEST_CASE("measures do not depend on the units of the surface and of the image")
+{
+  const auto measures = [](double unit, double uv_unit) {
+    Flat_mesh flat = saddle(4);
+    for(Eigen::Vector3d& p : flat.points)
+      p *= unit;
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(flat);
+    Uv_storage<Surface_mesh, Point_2> storage;
+    for(const vertex_descriptor v : mesh.vertices())
+      put(storage.map(), v, Point_2(uv_unit * (mesh.point(v).x() / unit), uv_unit * (mesh.point(v).y() / unit)));
+    return measure_stretch(mesh, storage.map());
+  };
+  const Stretch_measures usual = measures(1, 1);
+  REQUIRE(usual.l2 > 1);
+  for(double unit : {1e-200, 1e-90, 1e-80, 1e80, 1e200})
+    for(double uv_unit : {1e-160, 1., 1e160}) {
+      const Stretch_measures scaled = measures(unit, uv_unit);
+      CHECK(scaled.l2 == Approx(usual.l2));
+      CHECK(scaled.linf == Approx(usual.linf));
+      CHECK(scaled.symmetric_dirichlet == Approx(usual.symmetric_dirichlet));
+    }
+  CHECK(measures(1, 1e3).uv_area == Approx(1e6 * usual.uv_area));
+  const Surface_mesh none;
+  CHECK(std::isinf(measure_stretch(none, Uv_storage<Surface_mesh, Point_2>().map()).l2));
 }

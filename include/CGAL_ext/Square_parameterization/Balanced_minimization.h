@@ -58,8 +58,14 @@ struct Balanced_minimization
   /// indicates whether all numbers are in their range
   bool is_valid() const
   {
-    return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0 &&
-           (!aspect || (*aspect >= 1e-3 && *aspect <= 1e3)) && start.is_valid();
+    return balance >= 0 && balance <= 1 && tolerance >= 0 && search_tolerance >= 0 && has_valid_aspect(aspect) &&
+           start.is_valid();
+  }
+
+  /// indicates whether an aspect is in its range, or none
+  static bool has_valid_aspect(const std::optional<double>& aspect)
+  {
+    return !aspect || (*aspect >= 1e-3 && *aspect <= 1e3);
   }
 
 private:

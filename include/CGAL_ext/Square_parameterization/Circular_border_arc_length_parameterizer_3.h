@@ -40,8 +40,8 @@ public:
   /// assigns to the vertices of the border their position on the circle, and marks them as parameterized.
   /// An edge shorter than 1e-8 sqrt(area) counts as 1e-4 sqrt(area) long, with the area of the connected component, as
   /// in the border parameterizers that search: no two vertices coincide. Complexity: linear in the component.
-  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices, `ERROR_NO_1_TO_1_MAPPING` for a
-  ///         surface without area, or `ERROR_WRONG_PARAMETER` for a radius that is not positive and finite, or a
+  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices or a halfedge that is on none,
+  ///         `ERROR_NO_1_TO_1_MAPPING` for a surface without area, or `ERROR_WRONG_PARAMETER` for a radius that is not positive and finite, or a
   ///         coordinate that is not finite
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
@@ -51,8 +51,6 @@ public:
     namespace SMP = CGAL::Surface_mesh_parameterization;
     if(!(m_radius > 0 && std::isfinite(m_radius)))
       return SMP::ERROR_WRONG_PARAMETER;
-    if(bhd == boost::graph_traits<Triangle_mesh>::null_halfedge())
-      return SMP::ERROR_BORDER_TOO_SHORT;
     const std::vector<vertex_descriptor> loop = internal::border_loop(bhd, mesh);
     if(loop.size() < 3)
       return SMP::ERROR_BORDER_TOO_SHORT;

@@ -62,7 +62,7 @@ struct Seam_options : Cut_options
   /// `BEST`: balance of the energy by which cuts are judged, in [0, 1]: see `Balanced_minimization`
   double balance = Balanced_minimization().balance;
 
-  /// `BEST`: width over height of the rectangle on which cuts are judged; none for the best of each cut
+  /// `BEST`: width over height of the rectangle on which cuts are judged, in [1e-3, 1e3]; none for the best of each cut
   std::optional<double> aspect = Balanced_minimization().aspect;
 
   /// `BEST`: whether the corners move on their own in the maps by which the last few cuts are judged, as in the map that
@@ -78,7 +78,10 @@ struct Seam_options : Cut_options
   Search_visitor* visitor = nullptr; ///< `BEST`: is told how the comparison of cuts proceeds; may be null
 
   /// indicates whether all numbers are in their range
-  bool is_valid() const { return Cut_options::is_valid() && balance >= 0 && balance <= 1; }
+  bool is_valid() const
+  {
+    return Cut_options::is_valid() && balance >= 0 && balance <= 1 && Balanced_minimization::has_valid_aspect(aspect);
+  }
 };
 
 } // namespace CGAL_ext

@@ -59,8 +59,8 @@ public:
   /// assigns to the vertices of the border their position on the square, and marks them as parameterized.
   /// An edge shorter than 1e-8 sqrt(area) counts as 1e-4 sqrt(area) long, with the area of the connected component, as
   /// in the border parameterizers that search: no two vertices coincide. Complexity: linear in the component.
-  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than four vertices, `ERROR_NO_1_TO_1_MAPPING` for a
-  ///         surface without area, or `ERROR_WRONG_PARAMETER` for corners that are not distinct and in order on the
+  /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than four vertices or a halfedge that is on none,
+  ///         `ERROR_NO_1_TO_1_MAPPING` for a surface without area, or `ERROR_WRONG_PARAMETER` for corners that are not distinct and in order on the
   ///         border, or a coordinate that is not finite
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
@@ -68,8 +68,6 @@ public:
                                                                VertexParameterizedMap vpmap) const
   {
     namespace SMP = CGAL::Surface_mesh_parameterization;
-    if(bhd == boost::graph_traits<Triangle_mesh>::null_halfedge())
-      return SMP::ERROR_BORDER_TOO_SHORT;
     const std::vector<vertex_descriptor> loop = internal::border_loop(bhd, mesh);
     if(loop.size() < 4)
       return SMP::ERROR_BORDER_TOO_SHORT;

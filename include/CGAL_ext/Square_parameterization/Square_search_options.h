@@ -39,12 +39,13 @@ struct Square_search_options
 
   /// when it has passed, no evaluation and no sketch begins, what is being minimised is left as it is, and the best
   /// candidate so far is delivered, marked as cancelled, as when the callback stops the search. Of the time until then
-  /// `parameterize_onto_square()` spends half on the decision where to cut, at most, and the search half of the rest on
-  /// sketches; with `Square_map_settings::seam_grid` the search leaves a quarter of its time to the map for the seams. The result then depends on the speed of the machine.
+  /// `parameterize_onto_square()` spends three fifths on the decision where to cut, at most, and the search half of the
+  /// rest on sketches; with `Square_map_settings::seam_grid` the search leaves a quarter of its time to the map for the
+  /// seams. The result then depends on the speed of the machine.
   std::optional<std::chrono::steady_clock::time_point> deadline;
 
-  /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], and before each
-  /// sketch, with 0. When it returns `false` the search stops within one evaluation per thread and the best candidate
+  /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], before each sketch, with
+  /// 0, and whenever corners move, with 1. When it returns `false` the search stops within one evaluation per thread and the best candidate
   /// so far is delivered, marked as cancelled; without a candidate so far there is no map
   /// (`ERROR_NO_1_TO_1_MAPPING`). It and the deadline alone stop a search.
   ///

@@ -20,8 +20,8 @@ namespace CGAL_ext {
 /// \ingroup PkgSquareParameterizationConditioning
 ///
 /// returns a copy of a surface that is cut open along seams, such as `mark_seams()` marks. Vertices and faces keep
-/// their order; where seams part the faces round a vertex, copies of it come last, at the same point. Complexity: all
-/// but linear.
+/// their order; where seams part the faces round a vertex, copies of it come last, at the same point (or in the places of
+/// removed vertices, if the mesh has some). Complexity: all but linear.
 ///
 /// \tparam TriangleMesh must be a model of `MutableFaceGraph`, `FaceListGraph` and `CopyConstructible`.
 /// \tparam SeamEdgeMap must be a model of `ReadablePropertyMap` with the edge descriptor as key type and `bool` as

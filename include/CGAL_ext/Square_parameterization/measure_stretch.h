@@ -12,6 +12,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -103,10 +104,17 @@ Stretch_measures measure_stretch(const TriangleMesh& mesh, VertexUVMap uvmap,
   const auto vertex_stretch = CP::get_parameter(np, internal::vertex_stretch_map);
   const auto [arrays, vertex_list] = internal::read_faces(mesh, faces(mesh), vpm);
   const auto& [points, triangles, places, border_sides] = arrays;
+  double largest = 0;
+  for(const Eigen::Vector3d& p : points)
+    largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+  const double scale = internal::scale_to_one(largest);
   std::vector<internal::Flat_triangle> shapes;
   for(const auto& [a, b, c] : triangles)
-    shapes.push_back(internal::flatten(points[a], points[b], points[c], 0));
-  const Stretch_measures result = internal::measure(shapes, triangles, internal::read_uv(vertex_list, uvmap));
+    shapes.push_back(internal::flatten(scale * points[a], scale * points[b], scale * points[c], 0));
+  const internal::Uv_coordinates uv = internal::read_uv(vertex_list, uvmap);
+  const double uv_scale = internal::scale_to_one(uv.rows() > 0 ? uv.cwiseAbs().maxCoeff() : 0);
+  Stretch_measures result = internal::measure(shapes, triangles, uv_scale * uv);
+  result.uv_area = result.uv_area / uv_scale / uv_scale;
   if constexpr(!std::is_same_v<std::decay_t<decltype(vertex_stretch)>, CGAL::internal_np::Param_not_found>)
     internal::put_vertex_stretch(vertex_list, triangles, shapes, result.face_l2, vertex_stretch);
   return result;

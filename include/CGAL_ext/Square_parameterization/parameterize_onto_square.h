@@ -45,8 +45,12 @@ chosen_elements(const Square_map_options<TriangleMesh>& options,
   std::map<typename Square_map_options<TriangleMesh>::vertex_descriptor, int> index;
   for(std::size_t v = 0; v < vertices.size(); ++v)
     index.emplace(vertices[v], static_cast<int>(v));
-  for(auto e : options.seams)
-    chosen.seams.push_back({index.at(source(e, mesh)), index.at(target(e, mesh))});
+  for(auto e : options.seams) {
+    const auto a = index.find(source(e, mesh)), b = index.find(target(e, mesh));
+    if(a == index.end() || b == index.end())
+      throw Unmappable(SMP::ERROR_WRONG_PARAMETER, "a seam is not an edge of a face of the mesh");
+    chosen.seams.push_back({a->second, b->second});
+  }
   if(!options.corners)
     return chosen;
   chosen.corners.emplace();
@@ -61,21 +65,34 @@ chosen_elements(const Square_map_options<TriangleMesh>& options,
   return chosen;
 }
 
-/// the values of triangles in the order in which a mesh has them after its edges were split; \p from and \p to hold the
-/// same triangles, but for their order and first corners
-inline std::vector<double> reordered(const std::vector<double>& values, const std::vector<std::array<int, 3>>& from,
-                                     const std::vector<std::array<int, 3>>& to)
+/// the values of triangles in the order in which a mesh has them after its edges were split
+/// \param triangles those of the mesh, in another order, and with other first corners
+/// \param vertices what they refer to
+template <class TriangleMesh>
+std::vector<double>
+in_order_of_faces(const std::vector<double>& values, const std::vector<std::array<int, 3>>& triangles,
+                  const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
+                  const TriangleMesh& mesh)
 {
-  const auto sorted = [](std::array<int, 3> t) {
-    std::sort(t.begin(), t.end());
-    return t;
-  };
+  auto index =
+      get(CGAL::dynamic_vertex_property_t<int>(), mesh); // which may have places for new vertices before others
+  for(std::size_t v = 0; v < vertices.size(); ++v)
+    put(index, vertices[v], static_cast<int>(v));
   std::map<std::array<int, 3>, double> value_of;
-  for(std::size_t f = 0; f < from.size(); ++f)
-    value_of.emplace(sorted(from[f]), values[f]);
+  for(std::size_t f = 0; f < triangles.size(); ++f) {
+    std::array<int, 3> corners = triangles[f];
+    std::sort(corners.begin(), corners.end());
+    value_of.emplace(corners, values[f]);
+  }
   std::vector<double> result;
-  for(const auto& t : to)
-    result.push_back(value_of.at(sorted(t)));
+  for(auto f : faces(mesh)) {
+    std::array<int, 3> corners{};
+    auto corner = corners.begin();
+    for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      *corner++ = get(index, source(h, mesh));
+    std::sort(corners.begin(), corners.end());
+    result.push_back(value_of.at(corners));
+  }
   return result;
 }
 
@@ -116,7 +133,8 @@ options(const Square_map_options<TriangleMesh>& options)
 /// \param mesh the surface: one connected component of triangles. A surface that is not a disk (and one that is, if the
 ///        options say so) is cut in place, as `mark_seams()` marks and `cut_along_seams()` cuts (of two cuts
 ///        that all but tie, or where a cut leaves no good map, along the one with the better map); a border of
-///        three edges gets a fourth, and chords are split; else it is not changed. New vertices and faces come last.
+///        three edges gets a fourth, and chords are split; else it is not changed. New vertices and faces come last,
+///        unless the mesh has places of removed ones for them.
 /// \param uvmap receives the position of every vertex of a face, in [0, 1]^2
 /// \param np optional named parameters among those below
 ///
@@ -140,7 +158,8 @@ options(const Square_map_options<TriangleMesh>& options)
 /// - `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`,
 /// - `ERROR_NO_TOPOLOGICAL_DISC` when the mesh is not one connected manifold surface, or not a disk and not to be cut,
 /// - `ERROR_WRONG_PARAMETER` when a coordinate is not finite, an option is out of range, or the corners make no sense,
-/// - `ERROR_NO_1_TO_1_MAPPING` when no map was found, or no face has an area.
+/// - `ERROR_NO_1_TO_1_MAPPING` when no map was found, no face has an area, or the numbers of \p uvmap, as `float`, round faces
+///   of the map flat, or over.
 ///
 /// No exception is thrown for bad data; `std::bad_alloc` and what a user's visitor, callback or search throws comes out,
 /// and leaves the mesh as it was, too.
@@ -163,16 +182,16 @@ Square_map_result<TriangleMesh> parameterize_onto_square(TriangleMesh& mesh, Ver
     const std::size_t uncut = vertex_list.size();
     const internal::Mapped_surface mapped = internal::map_surface(
         std::move(arrays), internal::chosen_elements(options, vertex_list, const_mesh, result), options, result);
+    internal::check_rounding<VertexUVMap>(mapped.triangles, mapped.uv);
 
     internal::apply_edits(mapped.edits, mesh, vpm, vertex_list);
     for(std::size_t k = 0; k < mapped.edits.copies.size(); ++k)
       result.copies.emplace_back(vertex_list[uncut + k], vertex_list[mapped.edits.copies[k]]);
     for(int v : mapped.corners)
       result.corners.push_back(vertex_list[v]);
-    if(!mapped.edits.splits.empty()) // the mesh has its new faces last
+    if(!mapped.edits.splits.empty())
       result.measures.face_l2 =
-          internal::reordered(result.measures.face_l2, mapped.triangles,
-                              internal::read_faces(const_mesh, faces(const_mesh), vpm).arrays.triangles);
+          internal::in_order_of_faces(result.measures.face_l2, mapped.triangles, vertex_list, const_mesh);
     internal::write_uv(vertex_list, mapped.uv, uvmap,
                        CGAL::Constant_property_map<typename Result::vertex_descriptor, bool>());
   } catch(const internal::Unmappable& error) {

@@ -29,7 +29,8 @@ inline void check_seam_options(const Seam_options& options)
 {
   if(!options.is_valid())
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_WRONG_PARAMETER,
-                     "the weight or the greatest length of the cut is negative, or its balance is not in [0, 1]");
+                     "the weight or the greatest length of the cut is negative, its balance is not in [0, 1], or its "
+                     "aspect not in [1e-3, 1e3]");
 }
 
 /// refuses a seam from vertex \p a to vertex \p b that is not an edge

@@ -8,6 +8,7 @@
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -18,7 +19,16 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// measures a map given as flat arrays, in any unit of length
+/// a power of two that brings numbers of this size near 1, so that neither their products nor their quotients leave the range
+/// of `double`: it rounds nothing
+inline double scale_to_one(double largest)
+{
+  constexpr int MOST = 1000; // of the exponent: less than the largest
+  return largest > 0 && std::isfinite(largest) ? std::ldexp(1., (std::clamp)(-std::ilogb(largest), -MOST, MOST)) : 1;
+}
+
+/// measures a map given as flat arrays, in any unit of length; those whose squares are no numbers are scaled before, see
+/// `scale_to_one()`
 /// \param scale factors of u and v, by which the map is scaled; its triangles are flipped or not as they are without it
 inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
                                 const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv,
@@ -47,7 +57,7 @@ inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
   for(double& l2 : result.face_l2)
     l2 *= to_unit;
   result.symmetric_dirichlet = (energy * to_unit * to_unit + inverse_energy / (to_unit * to_unit)) / (2 * surface_area);
-  if(result.flipped_faces > 0 || !(energy < std::numeric_limits<double>::infinity()))
+  if(result.flipped_faces > 0 || !(surface_area > 0) || !(energy < std::numeric_limits<double>::infinity()))
     result.l2 = result.linf = result.symmetric_dirichlet = std::numeric_limits<double>::infinity();
   return result;
 }

@@ -4,19 +4,45 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_WRITE_UV_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_WRITE_UV_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+#include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
+#include <cstddef>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
 
 namespace CGAL_ext {
 namespace internal {
+
+/// refuses a map that is one-to-one, mirrored or not, and no more once it is rounded to the numbers of a uv map, as `float`.
+/// Throws `Unmappable`.
+template <class VertexUVMap>
+void check_rounding(const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
+{
+  typedef typename boost::property_traits<VertexUVMap>::value_type Point_2;
+  typedef typename CGAL::Kernel_traits<Point_2>::Kernel::FT FT;
+  if constexpr(!std::is_same_v<FT, double>) {
+    Uv_coordinates rounded = uv.unaryExpr([](double x) { return CGAL::to_double(FT(x)); });
+    if(triangles.empty() || rounded == uv)
+      return;
+    if(!is_counterclockwise(uv, triangles.front()))
+      rounded.col(0).swap(rounded.col(1));
+    if(const std::size_t flipped = number_of_flipped_faces(triangles, rounded); flipped > 0)
+      throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING,
+                       "rounded to the numbers of the uv map, the triangles of " + std::to_string(flipped) +
+                           (flipped == 1 ? " face are" : " faces are") + " flat or flipped");
+  }
+}
 
 /// writes row `k` of \p uv for `vertices[k]`, in the number type of the map, and marks the vertex as parameterized
 template <class Vertex, class VertexUVMap, class VertexParameterizedMap>

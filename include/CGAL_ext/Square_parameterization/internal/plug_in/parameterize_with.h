@@ -70,6 +70,7 @@ Error_code parameterize_with(const MakeMinimizer& make_minimizer, Border& border
     if(map.uv.rows() == 0)
       return map.report.stop_reason == Stop_reason::CANNOT_SOLVE ? SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM
                                                                  : SMP::ERROR_NO_1_TO_1_MAPPING;
+    check_rounding<VertexUVmap>(patch.triangles, map.uv);
     write_uv(vertices, map.uv, uvmap, vpmap);
     return SMP::OK;
   } catch(const Unmappable& error) {

@@ -42,12 +42,14 @@ faces_of_component(typename boost::graph_traits<TriangleMesh>::face_descriptor s
 }
 
 /// the border vertices met from source(\p bhd) on, counter-clockwise for someone who sees the faces so.
-/// Border halfedges run the other way: the loop follows `prev()`.
+/// Border halfedges run the other way: the loop follows `prev()`. None when \p bhd is not on the border, or null.
 template <class TriangleMesh>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 border_loop(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, const TriangleMesh& mesh)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> loop;
+  if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge() || !CGAL::is_border(bhd, mesh))
+    return loop;
   auto h = bhd;
   do {
     loop.push_back(source(h, mesh));

@@ -4,13 +4,17 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_DISK_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PIPELINE_MAP_DISK_H
 
+#include <CGAL_ext/Square_parameterization/Square_map_options.h>
+#include <CGAL_ext/Square_parameterization/Square_map_result.h>
 #include <CGAL_ext/Square_parameterization/internal/border/place_corners.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/open_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/measure.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/rectangle.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
+#include <CGAL_ext/Square_parameterization/internal/pipeline/Chosen_elements.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/map_patch.h>
-#include <CGAL_ext/Square_parameterization/internal/pipeline/map_surface.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Surface_arrays.h>
+#include <CGAL_ext/Square_parameterization/internal/surface/Surface_edits.h>
 
 #include <array>
 #include <chrono>

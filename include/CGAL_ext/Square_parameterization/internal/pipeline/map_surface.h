@@ -7,22 +7,15 @@
 #include <CGAL_ext/Square_parameterization/Square_map_options.h>
 #include <CGAL_ext/Square_parameterization/Square_map_result.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
+#include <CGAL_ext/Square_parameterization/internal/pipeline/Chosen_elements.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Surface_arrays.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Surface_edits.h>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace CGAL_ext {
 namespace internal {
-
-/// what the caller of `map_surface()` chose, as vertices of the arrays
-struct Chosen_elements
-{
-  std::vector<std::array<int, 2>> seams; ///< the ends of edges to cut along
-  std::optional<std::array<int, 4>> corners;
-};
 
 /// a map of a surface, and what must be done to the mesh to have it there
 struct Mapped_surface

@@ -30,9 +30,9 @@ namespace CGAL_ext {
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
-/// or more (10000 while none has a map). On a mesh of 2500 vertices and more the first candidate is the only one when its map costs as
-/// much as those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of times, or a
-/// hundred times and costs as much as twelve.
+/// or more (10000 while none has a map). On a mesh of 2500 vertices and more the first candidate is the only one when its
+/// map costs as much as those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of
+/// times, or a hundred times and costs as much as twelve.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
 /// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the

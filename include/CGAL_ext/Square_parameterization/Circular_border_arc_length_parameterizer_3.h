@@ -41,8 +41,8 @@ public:
   /// An edge shorter than 1e-8 sqrt(area) counts as 1e-4 sqrt(area) long, with the area of the connected component, as
   /// in the border parameterizers that search: no two vertices coincide. Complexity: linear in the component.
   /// \return `OK`, `ERROR_BORDER_TOO_SHORT` for a border of fewer than three vertices or a halfedge that is on none,
-  ///         `ERROR_NO_1_TO_1_MAPPING` for a surface without area, or `ERROR_WRONG_PARAMETER` for a radius that is not positive and finite, or a
-  ///         coordinate that is not finite
+  ///         `ERROR_NO_1_TO_1_MAPPING` for a surface without area, or `ERROR_WRONG_PARAMETER` for a radius that is not
+  ///         positive and finite, or a coordinate that is not finite
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   CGAL::Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                                                                VertexUVMap uvmap, VertexIndexMap /* vimap */,

@@ -45,8 +45,8 @@ struct Square_search_options
   std::optional<std::chrono::steady_clock::time_point> deadline;
 
   /// asked before each evaluation, with the share of the candidates evaluated so far, in [0, 1], before each sketch, with
-  /// 0, and whenever corners move, with 1. When it returns `false` the search stops within one evaluation per thread and the best candidate
-  /// so far is delivered, marked as cancelled; without a candidate so far there is no map
+  /// 0, and whenever corners move, with 1. When it returns `false` the search stops within one evaluation per thread and
+  /// the best candidate so far is delivered, marked as cancelled; without a candidate so far there is no map
   /// (`ERROR_NO_1_TO_1_MAPPING`). It and the deadline alone stop a search.
   ///
   /// The strategy is left by an exception that is not derived from `std::exception`: see `CornerSearch`.

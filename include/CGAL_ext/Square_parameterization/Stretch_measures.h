@@ -13,7 +13,8 @@ namespace CGAL_ext {
 ///
 /// the stretch of a map from the plane to a triangle mesh (Sander et al.\ \cgalCite{cgal:ssgh-tmpm-01}), normalised so
 /// that an isometry up to scale has stretch 1. All stretches are dimensionless and infinite when a uv triangle is not
-/// counter-clockwise, or the surface has no area. (CGAL's `compute_L2_stretch()` is another quantity, a norm of area ratios.)
+/// counter-clockwise, or the surface has no area. (CGAL's `compute_L2_stretch()` is another quantity, a norm of area
+/// ratios.)
 struct Stretch_measures
 {
   double l2 = 0;                  ///< root mean square of the stretch over all directions and over the surface

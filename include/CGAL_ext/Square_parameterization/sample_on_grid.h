@@ -94,7 +94,8 @@ struct Sampling_result
 ///
 /// \return the status: `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_WRONG_PARAMETER` for a size out of range
 ///         or a coordinate of the surface that is not finite, `ERROR_NO_1_TO_1_MAPPING` when a uv triangle is not
-///         counter-clockwise, as one with a coordinate that is not finite, or the map does not cover the square. No exception is thrown for bad data.
+///         counter-clockwise, as one with a coordinate that is not finite, or the map does not cover the square. No
+///         exception is thrown for bad data.
 ///
 /// Complexity: linear in samples, faces, and the rows of samples that each face meets. Coordinates are read as `double`.
 template <class TriangleMesh, class VertexUVMap, class OutputIterator,

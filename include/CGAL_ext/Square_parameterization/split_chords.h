@@ -42,7 +42,8 @@ inline CGAL::Named_function_parameters<Chords, internal::chords_t> chords(Chords
 /// is an interior edge with both ends on the border. When both ends come to lie on one side of the square the faces
 /// beside the chord have no area: no one-to-one map exists. After the split each choice of corners has one.
 ///
-/// The new vertices and faces come after the existing ones, unless the mesh has places of removed ones for them. Complexity: all but linear.
+/// The new vertices and faces come after the existing ones, unless the mesh has places of removed ones for them.
+/// Complexity: all but linear.
 ///
 /// \tparam TriangleMesh must be a model of `MutableFaceGraph`.
 /// \tparam NamedParameters a sequence of named parameters

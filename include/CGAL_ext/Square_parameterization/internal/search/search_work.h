@@ -16,9 +16,9 @@ namespace internal {
 /// an even surface
 constexpr double MOST_SEARCH_WORK = 1200;
 
-/// the same by the size of the mesh: half as much on 5000 vertices or more; while there is no map, on 10000. More: strips, and
-/// sheets with fins and nails, take up to half as long again, for the same corners. Less on smaller meshes: a knot 1 %, and surfaces
-/// with spikes more; while there is no map: some have none in the end.
+/// the same by the size of the mesh: half as much on 5000 vertices or more; while there is no map, on 10000. More: strips,
+/// and sheets with fins and nails, take up to half as long again, for the same corners. Less on smaller meshes: a knot is
+/// stretched 1 % more, and surfaces with spikes by more than that; while there is no map: some have none in the end.
 inline double most_search_work(int number_of_vertices, bool has_map)
 {
   const double small = has_map ? 2500 : 5000; // vertices

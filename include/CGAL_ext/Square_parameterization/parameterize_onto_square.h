@@ -74,8 +74,8 @@ in_order_of_faces(const std::vector<double>& values, const std::vector<std::arra
                   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
                   const TriangleMesh& mesh)
 {
-  auto index =
-      get(CGAL::dynamic_vertex_property_t<int>(), mesh); // which may have places for new vertices before others
+  // the mesh may have new vertices in places of removed ones, before others: their numbers are not those of `read_faces()`
+  auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   for(std::size_t v = 0; v < vertices.size(); ++v)
     put(index, vertices[v], static_cast<int>(v));
   std::map<std::array<int, 3>, double> value_of;

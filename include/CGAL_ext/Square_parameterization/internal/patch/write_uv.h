@@ -24,8 +24,8 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// refuses a map that is one-to-one, mirrored or not, and no more once it is rounded to the numbers of a uv map, as `float`.
-/// Throws `Unmappable`.
+/// refuses a map that is one-to-one, mirrored or not, but is no more once it is rounded to the numbers of a uv map, as `float`.
+/// Throws `Unmappable`. Complexity: linear; nothing is done for `double`.
 template <class VertexUVMap>
 void check_rounding(const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv)
 {

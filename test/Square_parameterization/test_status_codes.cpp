@@ -192,7 +192,8 @@ TEST_CASE("the borders without a search refuse what they cannot place")
   const auto halves = mesh.halfedges();
   const halfedge_descriptor inner = *std::find_if(
       halves.begin(), halves.end(), [&mesh](halfedge_descriptor h) { return !mesh.is_border(edge(h, mesh)); });
-  for(halfedge_descriptor h : {opposite(bhd, mesh), inner}) {
+  const auto without_face = CGAL::Euler::add_edge(mesh.add_vertex({0, 0, 1}), mesh.add_vertex({0, 0, 2}), mesh);
+  for(halfedge_descriptor h : {opposite(bhd, mesh), inner, halfedge(without_face, mesh)}) {
     CHECK(status_of(Square(), h) == SMP::ERROR_BORDER_TOO_SHORT);
     CHECK(status_of(Circle(), h) == SMP::ERROR_BORDER_TOO_SHORT);
   }

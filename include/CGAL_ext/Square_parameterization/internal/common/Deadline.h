@@ -29,7 +29,7 @@ inline bool has_time_again(std::chrono::steady_clock::time_point start, const De
 /// \param share of the time that is left that the part has, in [0, 1]
 inline Deadline part_way_to(const Deadline& deadline, double share)
 {
-  if(has_passed(deadline) || !deadline) // one long ago is too far away for the difference
+  if(!deadline || has_passed(deadline)) // one long ago is too far away for the difference
     return deadline;
   typedef std::chrono::steady_clock Clock;
   const Clock::time_point now = Clock::now();

@@ -35,8 +35,7 @@ Face_graph_patch<TriangleMesh>
 make_face_graph_patch(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                       VertexPointMap vpm)
 {
-  if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge() || !CGAL::is_border(bhd, mesh) ||
-     CGAL::is_border(opposite(bhd, mesh), mesh))
+  if(!is_on_border_of_face(bhd, mesh))
     throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_BORDER_TOO_SHORT,
                      "the given halfedge is not on the border of a face");
   auto [arrays, vertices] = read_faces(mesh, faces_of_component(face(opposite(bhd, mesh), mesh), mesh), vpm);

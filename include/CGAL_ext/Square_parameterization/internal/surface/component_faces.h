@@ -41,14 +41,22 @@ faces_of_component(typename boost::graph_traits<TriangleMesh>::face_descriptor s
   return component;
 }
 
+/// indicates whether a halfedge, which may be null, is on the border of a face: an edge may have none
+template <class TriangleMesh>
+bool is_on_border_of_face(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, const TriangleMesh& mesh)
+{
+  return bhd != boost::graph_traits<TriangleMesh>::null_halfedge() && CGAL::is_border(bhd, mesh) &&
+         !CGAL::is_border(opposite(bhd, mesh), mesh);
+}
+
 /// the border vertices met from source(\p bhd) on, counter-clockwise for someone who sees the faces so.
-/// Border halfedges run the other way: the loop follows `prev()`. None when \p bhd is not on the border, or null.
+/// Border halfedges run the other way: the loop follows `prev()`. None when \p bhd is not on the border of a face.
 template <class TriangleMesh>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 border_loop(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, const TriangleMesh& mesh)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> loop;
-  if(bhd == boost::graph_traits<TriangleMesh>::null_halfedge() || !CGAL::is_border(bhd, mesh))
+  if(!is_on_border_of_face(bhd, mesh))
     return loop;
   auto h = bhd;
   do {

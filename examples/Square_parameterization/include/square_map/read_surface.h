@@ -30,8 +30,9 @@ inline Mesh::Vertex_index vertex(std::size_t v)
   return Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
 }
 
-/// the mesh of a conditioned soup; vertices and faces keep their order. Linear in the faces but for sorting the edges at each
-/// vertex: to add face by face walks round vertices, and takes the square of their valence.
+/// the mesh of a conditioned soup, with the threads of the current team; vertices and faces keep their order. Linear in the
+/// faces but for sorting the edges at each vertex: to add face by face walks round vertices, and takes the square of their
+/// valence.
 Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup);
 
 /// the edges of the mesh along the seams of a file. Throws `Unmappable` where there is none.

@@ -4,12 +4,29 @@
 #include "../../include/square_map/read_surface.h"
 
 #include <CGAL_ext/Square_parameterization/internal/common/Unmappable.h>
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/number_edges.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/halfedge_between.h>
 
 namespace square_map {
 
 namespace {
+
+/// joins the halfedges of a face
+void join_face(const CGAL_ext::internal::Edge_numbering& numbering, const std::array<int, 3>& triangle, std::size_t f,
+               Mesh& mesh)
+{
+  const Mesh::Face_index face(static_cast<Mesh::size_type>(f));
+  std::array<Mesh::Halfedge_index, 3> sides; // side k ends at corner k
+  for(std::size_t k = 0; k < 3; ++k) {
+    const Mesh::Edge_index edge(static_cast<Mesh::size_type>(numbering.triangle_edges[f][(k + 1) % 3]));
+    sides[k] = mesh.halfedge(edge, triangle[(k + 2) % 3] < triangle[k] ? 0 : 1);
+    mesh.set_face(sides[k], face);
+  }
+  for(std::size_t k = 0; k < 3; ++k)
+    mesh.set_next(sides[k], sides[(k + 1) % 3]);
+  mesh.set_halfedge(face, sides[0]);
+}
 
 /// joins the halfedges without a face, of which at most one ends at each vertex, and gives each vertex one that ends there:
 /// one without a face where there is one
@@ -33,30 +50,33 @@ void join_borders(Mesh& mesh)
 
 Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
 {
+  using CGAL_ext::internal::for_ranges;
   std::vector<std::array<int, 3>> triangles;
+  triangles.reserve(soup.faces.size());
   for(const auto& face : soup.faces)
     triangles.push_back({static_cast<int>(face[0]), static_cast<int>(face[1]), static_cast<int>(face[2])});
   const CGAL_ext::internal::Edge_numbering numbering = CGAL_ext::internal::number_edges(soup.points.size(), triangles);
 
   Mesh mesh;
-  mesh.reserve(static_cast<Mesh::size_type>(soup.points.size()), static_cast<Mesh::size_type>(numbering.edges.size()),
-               static_cast<Mesh::size_type>(triangles.size()));
-  for(const Eigen::Vector3d& p : soup.points)
-    mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  for(const auto& [low, high] : numbering.edges)
-    mesh.add_edge(vertex(low), vertex(high));
-  for(std::size_t f = 0; f < triangles.size(); ++f) {
-    const Mesh::Face_index face = mesh.add_face();
-    std::array<Mesh::Halfedge_index, 3> sides; // side k ends at corner k
-    for(std::size_t k = 0; k < 3; ++k) {
-      const Mesh::Edge_index edge(static_cast<Mesh::size_type>(numbering.triangle_edges[f][(k + 1) % 3]));
-      sides[k] = mesh.halfedge(edge, triangles[f][(k + 2) % 3] < triangles[f][k] ? 0 : 1);
-      mesh.set_face(sides[k], face);
+  mesh.resize(static_cast<Mesh::size_type>(soup.points.size()), static_cast<Mesh::size_type>(numbering.edges.size()),
+              static_cast<Mesh::size_type>(triangles.size()));
+  for_ranges(soup.points.size(), [&](std::size_t begin, std::size_t end) {
+    for(std::size_t v = begin; v < end; ++v) {
+      const Eigen::Vector3d& p = soup.points[v];
+      mesh.point(vertex(v)) = Kernel::Point_3(p.x(), p.y(), p.z());
     }
-    for(std::size_t k = 0; k < 3; ++k)
-      mesh.set_next(sides[k], sides[(k + 1) % 3]);
-    mesh.set_halfedge(face, sides[0]);
-  }
+  });
+  for_ranges(numbering.edges.size(), [&](std::size_t begin, std::size_t end) {
+    for(std::size_t e = begin; e < end; ++e) {
+      const Mesh::Edge_index edge(static_cast<Mesh::size_type>(e));
+      for(int k = 0; k < 2; ++k)
+        mesh.set_target(mesh.halfedge(edge, k), vertex(numbering.edges[e][1 - k]));
+    }
+  });
+  for_ranges(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    for(std::size_t f = begin; f < end; ++f)
+      join_face(numbering, triangles[f], f, mesh);
+  });
   join_borders(mesh);
   return mesh;
 }

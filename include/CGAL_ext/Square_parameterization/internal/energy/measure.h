@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_ENERGY_MEASURE_H
 
 #include <CGAL_ext/Square_parameterization/Stretch_measures.h>
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/energy/stretch_kernel.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
@@ -27,23 +28,16 @@ inline double scale_to_one(double largest)
   return largest > 0 && std::isfinite(largest) ? std::ldexp(1., (std::clamp)(-std::ilogb(largest), -MOST, MOST)) : 1;
 }
 
-/// measures a map given as flat arrays, in any unit of length; those whose squares are no numbers are scaled before, see
-/// `scale_to_one()`
-/// \param scale factors of u and v, by which the map is scaled; its triangles are flipped or not as they are without it
-inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
-                                const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv,
-                                const Eigen::RowVector2d& scale = Eigen::RowVector2d(1, 1))
+/// what `measure()` adds up over triangles
+struct Stretch_sums
 {
-  Stretch_measures result;
-  result.flipped_faces = number_of_flipped_faces(triangles, uv);
-  double energy = 0, inverse_energy = 0, surface_area = 0;
-  for(std::size_t f = 0; f < triangles.size(); ++f) {
-    const Triangle_stretch stretch = triangle_stretch(shapes[f], uv, triangles[f], scale);
-    const double area = shapes[f].area();
+  double energy = 0, inverse_energy = 0, surface_area = 0, uv_area = 0, linf = 0;
+
+  void add(const Triangle_stretch& stretch, double area)
+  {
     surface_area += area;
-    result.uv_area += stretch.uv_area;
-    result.linf = (std::max)(result.linf, stretch.linf);
-    result.face_l2.push_back(std::sqrt(stretch.l2_squared));
+    uv_area += stretch.uv_area;
+    linf = (std::max)(linf, stretch.linf);
     if(area > 0) {
       energy += stretch.l2_squared * area;
       // s1^2 + s2^2 of the surface-to-plane map: that of its inverse, divided by the squared determinant
@@ -51,9 +45,43 @@ inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
       inverse_energy += stretch.l2_squared / (determinant * determinant) * area;
     }
   }
-  const double to_unit = std::sqrt(result.uv_area / surface_area);
+
+  Stretch_sums& operator+=(const Stretch_sums& other)
+  {
+    energy += other.energy;
+    inverse_energy += other.inverse_energy;
+    surface_area += other.surface_area;
+    uv_area += other.uv_area;
+    linf = (std::max)(linf, other.linf);
+    return *this;
+  }
+};
+
+/// measures a map given as flat arrays, in any unit of length; those whose squares are no numbers are scaled before, see
+/// `scale_to_one()`. With the threads of the current team.
+/// \param scale factors of u and v, by which the map is scaled; its triangles are flipped or not as they are without it
+inline Stretch_measures measure(const std::vector<Flat_triangle>& shapes,
+                                const std::vector<std::array<int, 3>>& triangles, const Uv_coordinates& uv,
+                                const Eigen::RowVector2d& scale = Eigen::RowVector2d(1, 1))
+{
+  Stretch_measures result;
+  result.flipped_faces = number_of_flipped_faces(triangles, uv);
+  result.face_l2.resize(triangles.size());
+  const auto sums_of_range = [&](std::size_t begin, std::size_t end) {
+    Stretch_sums sums;
+    for(std::size_t f = begin; f < end; ++f) {
+      const Triangle_stretch stretch = triangle_stretch(shapes[f], uv, triangles[f], scale);
+      result.face_l2[f] = std::sqrt(stretch.l2_squared);
+      sums.add(stretch, shapes[f].area());
+    }
+    return sums;
+  };
+  const auto [energy, inverse_energy, surface_area, uv_area, linf] =
+      sum_of_ranges(triangles.size(), Stretch_sums(), sums_of_range);
+  result.uv_area = uv_area;
+  const double to_unit = std::sqrt(uv_area / surface_area);
   result.l2 = std::sqrt(energy / surface_area) * to_unit;
-  result.linf *= to_unit;
+  result.linf = linf * to_unit;
   for(double& l2 : result.face_l2)
     l2 *= to_unit;
   result.symmetric_dirichlet = (energy * to_unit * to_unit + inverse_energy / (to_unit * to_unit)) / (2 * surface_area);

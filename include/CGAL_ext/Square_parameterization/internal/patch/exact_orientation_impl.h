@@ -5,6 +5,7 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_PATCH_EXACT_ORIENTATION_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
+#include <CGAL_ext/Square_parameterization/internal/common/ranges.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
 
 #include <CGAL/MP_Float.h>
@@ -128,11 +129,12 @@ CGAL_EXT_INLINE_FUNCTION bool is_counterclockwise(const Uv_coordinates& uv, cons
 CGAL_EXT_INLINE_FUNCTION std::size_t number_of_flipped_faces(const std::vector<std::array<int, 3>>& triangles,
                                                              const Uv_coordinates& uv)
 {
-  std::size_t flipped = 0;
-  for(const auto& t : triangles)
-    if(!is_counterclockwise(uv, t))
-      ++flipped;
-  return flipped;
+  return sum_of_ranges(triangles.size(), std::size_t(0), [&](std::size_t begin, std::size_t end) {
+    std::size_t flipped = 0;
+    for(std::size_t f = begin; f < end; ++f)
+      flipped += is_counterclockwise(uv, triangles[f]) ? 0 : 1;
+    return flipped;
+  });
 }
 
 } // namespace internal

@@ -12,6 +12,9 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -56,43 +59,45 @@ Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceR
   auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   for(auto v : vertices(mesh))
     put(index, v, -1);
-  std::size_t number_of_vertices = 0, number_of_faces = 0, polygons = 0;
+  result.arrays.triangles.reserve(std::distance(std::begin(face_range), std::end(face_range)));
+  int number_of_vertices = 0; // of faces, which are numbered as they are met, and then in the order of the mesh
+  std::size_t polygons = 0;
   for(auto f : face_range) {
-    ++number_of_faces;
-    int corners = 0;
+    std::array<int, 3> triangle{};
+    std::size_t corners = 0;
     for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      const auto v = source(h, mesh);
+      if(get(index, v) < 0)
+        put(index, v, number_of_vertices++);
+      if(corners < triangle.size())
+        triangle[corners] = get(index, v);
       ++corners;
-      number_of_vertices += get(index, source(h, mesh)) < 0 ? 1 : 0;
-      put(index, source(h, mesh), 0);
+      result.arrays.border_sides += CGAL::is_border(opposite(h, mesh), mesh) ? 1 : 0;
     }
     polygons += corners == 3 ? 0 : 1;
+    result.arrays.triangles.push_back(triangle);
   }
   if(polygons > 0)
     refuse_polygons(polygons);
-  result.vertices.reserve(number_of_vertices);
-  result.arrays.points.reserve(number_of_vertices);
-  result.arrays.triangles.reserve(number_of_faces);
+  const auto range = vertices(mesh);
+  const bool have_all_faces = std::distance(range.begin(), range.end()) == number_of_vertices;
+  std::vector<int> number(number_of_vertices);
+  result.vertices.reserve(number.size());
+  result.arrays.points.reserve(number.size());
   std::size_t place = 0;
-  for(auto v : vertices(mesh)) {
-    if(get(index, v) == 0) {
-      put(index, v, static_cast<int>(result.vertices.size()));
+  for(auto v : range) {
+    if(const int met = get(index, v); met >= 0) {
+      number[met] = static_cast<int>(result.vertices.size());
       result.vertices.push_back(v);
       result.arrays.points.push_back(point_of(vpm, v));
-      result.arrays.places.push_back(place);
+      if(!have_all_faces)
+        result.arrays.places.push_back(place);
     }
     ++place;
   }
-  if(place == result.vertices.size())
-    result.arrays.places = std::vector<std::size_t>();
-  for(auto f : face_range) {
-    std::array<int, 3> triangle{};
-    int corner = 0;
-    for(auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
-      triangle[corner++] = get(index, source(h, mesh));
-      result.arrays.border_sides += CGAL::is_border(opposite(h, mesh), mesh) ? 1 : 0;
-    }
-    result.arrays.triangles.push_back(triangle);
-  }
+  for(std::array<int, 3>& triangle : result.arrays.triangles)
+    for(int& v : triangle)
+      v = number[v];
   return result;
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/number_edges.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/Incident_edges.h>
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -96,7 +98,7 @@ inline void find_border_loops(Triangle_surface& surface)
   }
 }
 
-/// makes the surface. Lengths are those of \p points as they are.
+/// makes the surface, with the threads of the current team. Lengths are those of \p points as they are.
 /// \param numbering of the edges of the triangles
 /// \pre the triangles are oriented and manifold, and every vertex belongs to one
 inline Triangle_surface make_triangle_surface(std::vector<Eigen::Vector3d> points,
@@ -106,14 +108,25 @@ inline Triangle_surface make_triangle_surface(std::vector<Eigen::Vector3d> point
   surface.points = std::move(points);
   surface.triangles = std::move(triangles);
   surface.edges = std::move(numbering.edges);
-  join_halfedges(surface, numbering.triangle_edges);
-  find_border_loops(surface);
-  surface.vertex_edges = Incident_edges(surface.points.size(), surface.edges);
-  surface.lengths.reserve(surface.edges.size());
-  for(const auto& [a, b] : surface.edges)
-    surface.lengths.push_back((surface.points[b] - surface.points[a]).norm());
-  for(const auto& [a, b, c] : surface.triangles)
-    surface.area += (surface.points[b] - surface.points[a]).cross(surface.points[c] - surface.points[a]).norm() / 2;
+  const auto join = [&] {
+    join_halfedges(surface, numbering.triangle_edges);
+    find_border_loops(surface);
+  };
+  const auto measure = [&] {
+    surface.lengths.reserve(surface.edges.size());
+    for(const auto& [a, b] : surface.edges)
+      surface.lengths.push_back((surface.points[b] - surface.points[a]).norm());
+    for(const auto& [a, b, c] : surface.triangles)
+      surface.area += (surface.points[b] - surface.points[a]).cross(surface.points[c] - surface.points[a]).norm() / 2;
+  };
+  Thread_team::current()(3, [&](std::size_t i) {
+    if(i == 0)
+      join();
+    else if(i == 1)
+      measure();
+    else
+      surface.vertex_edges = Incident_edges(surface.points.size(), surface.edges);
+  });
   return surface;
 }
 

@@ -53,8 +53,8 @@ CGAL_EXT_INLINE_FUNCTION void check_edges(const Surface_arrays& mesh, const Edge
   complaint.throw_if_any(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC);
 }
 
-/// refuses a surface of several components
-inline void check_connected(const Triangle_surface& surface)
+/// indicates whether the surface is one component
+inline bool is_connected(const Triangle_surface& surface)
 {
   std::vector<bool> is_met(surface.triangles.size(), false);
   std::vector<int> front{0};
@@ -71,13 +71,11 @@ inline void check_connected(const Triangle_surface& surface)
       is_met[neighbor] = true;
     }
   }
-  if(met < surface.number_of_faces())
-    throw Unmappable(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC,
-                     "the surface has more than one connected component");
+  return met == surface.number_of_faces();
 }
 
-/// refuses vertices at which several fans of faces meet
-inline void check_vertices(const Surface_arrays& mesh, const Triangle_surface& surface)
+/// tells of vertices at which several fans of faces meet
+inline Complaint complaint_about_vertices(const Surface_arrays& mesh, const Triangle_surface& surface)
 {
   std::vector<bool> is_met(3 * surface.triangles.size(), false), has_fan(surface.points.size(), false);
   std::vector<std::string> places;
@@ -100,7 +98,24 @@ inline void check_vertices(const Surface_arrays& mesh, const Triangle_surface& s
   }
   Complaint complaint;
   complaint.add(pinched, "non-manifold vertex", "non-manifold vertices", places);
-  complaint.throw_if_any(CGAL::Surface_mesh_parameterization::ERROR_NO_TOPOLOGICAL_DISC);
+  return complaint;
+}
+
+/// refuses a surface that is not connected, or not manifold at its vertices, with the threads of the current team
+inline void check_faces_joined(const Surface_arrays& mesh, const Triangle_surface& surface)
+{
+  namespace SMP = CGAL::Surface_mesh_parameterization;
+  bool is_one_component = false;
+  Complaint about_vertices;
+  Thread_team::current()(2, [&](std::size_t i) {
+    if(i == 0)
+      is_one_component = is_connected(surface);
+    else
+      about_vertices = complaint_about_vertices(mesh, surface);
+  });
+  if(!is_one_component)
+    throw Unmappable(SMP::ERROR_NO_TOPOLOGICAL_DISC, "the surface has more than one connected component");
+  about_vertices.throw_if_any(SMP::ERROR_NO_TOPOLOGICAL_DISC);
 }
 
 CGAL_EXT_INLINE_FUNCTION Triangle_surface make_checked_surface(const Surface_arrays& mesh)
@@ -117,8 +132,7 @@ CGAL_EXT_INLINE_FUNCTION Triangle_surface make_checked_surface(const Surface_arr
   if(!has_extent)
     refuse_without_extent();
   Triangle_surface surface = make_triangle_surface(std::move(points), mesh.triangles, std::move(numbering));
-  check_connected(surface);
-  check_vertices(mesh, surface);
+  check_faces_joined(mesh, surface);
   return surface;
 }
 

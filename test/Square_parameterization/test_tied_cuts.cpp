@@ -70,7 +70,7 @@ double score(const Square_map_report& report, double weight)
 TEST_CASE("of two cuts that all but tie both are mapped, and the better map is delivered")
 {
   std::vector<bool> is_second_better;
-  for(const Closed_mesh& mesh : {lens(), ellipsoid(5, 1.3)}) {
+  for(const Closed_mesh& mesh : {lens(), ellipsoid(5, 1.25)}) {
     const Triangle_surface surface = surface_of(mesh);
     const std::vector<Decided_cut> cuts = decided_cuts(surface);
     REQUIRE(cuts.size() == 2);

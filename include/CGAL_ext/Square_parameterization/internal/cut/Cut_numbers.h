@@ -25,8 +25,9 @@ struct Cut_numbers
   int growth_faces = 800;
 
   /// still simpler copies, on each of which cuts are grown, too. Growth ends in one of many local minima: a copy that
-  /// differs ends in another. More: a better cut here and there, for much time.
-  int simpler_copies = 3;
+  /// differs ends in another. More: a better cut here and there, for much time: with three the score falls by a tenth of a per
+  /// cent, and the decision takes a fifth longer.
+  int simpler_copies = 2;
 
   /// the same of a surface so small that no copy of `growth_faces` is made: cuts are grown on the surface itself, and
   /// less is left to be found. More: small surfaces take longer than large ones.
@@ -65,12 +66,24 @@ struct Cut_numbers
   /// from coarse to fine instead, since its stretch may be twice the least. Fewer: more cuts are scored that slow way.
   int score_steps = 100;
 
-  /// relative decrease of the energy at which the rough map is done that every cut gets: it bounds the stretch from
-  /// above. Larger: the best of the cuts that compete is missed.
+  /// of the cuts that compete, the best few by what the cheap iteration leaves, which get a map. Fewer: the best one is missed.
+  int mapped = 6;
+
+  /// relative decrease of the energy at which this map is done. Larger: as with fewer maps.
+  double first_score_tolerance = 1e-1;
+
+  /// the best few of these maps, which are lowered further
+  int mapped_roughly = 4;
+
+  /// relative decrease of the energy at which these are done, and the maps of all cuts to begin with: they bound the stretch
+  /// from above. Larger: the best of the cuts that compete is missed.
   double rough_score_tolerance = 1e-2;
 
   /// the best few, by their rough scores, of the cuts that compete, which are scored well
   int scored_well = 3;
+
+  /// the same of the cuts to begin with, as a share of those that are scored at a time
+  double starts_scored_well = 0.3;
 
   /// relative decrease of the energy at which the map of a good score is done. A score need not be better than the
   /// differences that it decides on.
@@ -206,9 +219,9 @@ struct Cut_numbers
   /// take long, the corners are not what matters.
   double largest_judged_stretch = 10;
 
-  /// how far the score of a cut may lie above the best, relative, for it to be judged by searched corners, which lower a score
-  /// by 3 % at most. More: a tenth of a second for each cut, in vain.
-  double far_from_best = 0.06;
+  /// how far the score of a cut may lie above that of the best with searched corners, relative, for it to be judged by these,
+  /// too: they lower a score by 3 % at most. More: a tenth of a second for each cut, in vain.
+  double far_from_best = 0.03;
 
   // --- carrying a cut over to a finer surface, and two cuts that tie ---
 

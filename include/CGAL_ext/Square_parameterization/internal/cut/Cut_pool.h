@@ -10,6 +10,8 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/Scored_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/initial_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/reroute_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/weights_of_family.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +66,7 @@ public:
   const Triangle_surface& surface() const { return m_surface; }
   const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
-  /// makes cuts by `make(cut)`, concurrently, and scores them: the best at \p weight well, the others roughly. Returns
+  /// makes cuts by `make(cut)`, concurrently, and scores them: the better they are at \p weight, the better. Returns
   /// them without those that were extended or moved and are too long.
   template <class Make>
   std::vector<Scored_cut> operator()(std::vector<Scored_cut> cuts, double weight, const Make& make)
@@ -75,12 +77,15 @@ public:
              cut.cut.length(m_surface) > m_greatest_length;
     };
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(), is_too_long), cuts.end());
-    return score(std::move(cuts), weight, static_cast<std::size_t>(numbers().scored_well));
+    return score(std::move(cuts), weight,
+                 {{std::size_t(numbers().mapped), numbers().first_score_tolerance},
+                  {std::size_t(numbers().mapped_roughly), numbers().rough_score_tolerance}},
+                 std::size_t(numbers().scored_well));
   }
 
-  /// scores cuts to begin with, all of them well: the first, which tells what a score costs, and as many more as there is
-  /// work for. No more at a time than are known, since some cost ten times what the first has cost. Where the deadline passes
-  /// before that, the others keep the scores that they have, which may be those on a simpler copy.
+  /// scores cuts to begin with, all of them roughly and the best well: the first, which tells what a score costs, and as many
+  /// more as there is work for. No more at a time than are known, since some cost ten times what the first has cost. Where the
+  /// deadline passes before that, the others keep the scores that they have, which may be those on a simpler copy.
   void start(const std::vector<Scored_cut>& cuts, long work)
   {
     std::size_t next = 0, end = 1;
@@ -89,7 +94,8 @@ public:
       for(; next < (std::min)(end, cuts.size()); ++next)
         starts.push_back(cuts[next]);
       const std::size_t number = starts.size();
-      score(std::move(starts), 0, number);
+      const double well = std::ceil(numbers().starts_scored_well * double(number));
+      score(std::move(starts), MIDDLE_OF_FAMILY, {{number, numbers().rough_score_tolerance}}, std::size_t(well));
       const long left = (std::max)(0L, most_work(work) - m_work);
       end = has_passed(m_deadline) ? cuts.size()
                                    : next + (std::min)(next, static_cast<std::size_t>(left / work_per_score()));
@@ -124,8 +130,8 @@ public:
   }
 
   /// good cuts of different lengths, the shortest first: of each of `selected` equal ranges of length that which lies
-  /// least above the front, unless it lies far above. The best at \p weight alone when the deadline has passed. With their
-  /// scores here, and none of what these have cost.
+  /// least above the front, unless it lies far above, and the best at \p weight where that lies outside the family. That one
+  /// alone when the deadline has passed. With their scores here, and none of what these have cost.
   std::vector<Scored_cut> selection(double weight) const
   {
     const std::vector<const Scored_cut*> best_cuts = front_of(m_known);
@@ -152,6 +158,10 @@ public:
     for(const Good_cut& good : best_of_range)
       if(good.cut != nullptr)
         cuts.push_back(as_start(*good.cut));
+    const Scored_cut& wanted = best(weight);
+    const auto is_wanted = [&wanted](const Scored_cut& cut) { return cut.cut.edges() == wanted.cut.edges(); };
+    if(is_outside_family(weight) && std::none_of(cuts.begin(), cuts.end(), is_wanted))
+      cuts.push_back(as_start(wanted));
     return cuts;
   }
 
@@ -173,8 +183,16 @@ private:
 
   long most_work(long work) const { return has_map() ? work : numbers().times_work_without_map * work; }
 
-  /// scores those of the cuts that are not known yet: roughly, and the best \p number of them at a weight well
-  std::vector<Scored_cut> score(std::vector<Scored_cut> cuts, double weight, std::size_t number)
+  /// how many cuts are mapped, and to which tolerance
+  struct Stage
+  {
+    std::size_t number;
+    double tolerance;
+  };
+
+  /// scores those of the cuts that are not known yet, see `score_in_stages()`
+  std::vector<Scored_cut> score(std::vector<Scored_cut> cuts, double weight, const std::vector<Stage>& stages,
+                                std::size_t number_well)
   {
     std::vector<std::size_t> places;
     std::vector<Scored_cut> unknown;
@@ -184,27 +202,7 @@ private:
       if(is_new)
         unknown.push_back(cut);
     }
-    std::vector<std::optional<Cut_scoring>> scorings(unknown.size());
-    const auto must_be_scored = [&](std::size_t i) { // one of all cuts must have a score, be it that on a simpler copy
-      return m_known.size() + i == 0 && !std::isfinite(unknown[i].score.stretch);
-    };
-    const bool is_persistent = m_known.empty(); // where the first cut has no map, others hardly ever do
-    m_team(unknown.size(), [&](std::size_t i) {
-      if(!has_passed(m_deadline) || must_be_scored(i))
-        unknown[i].score = scorings[i].emplace(m_surface, unknown[i].cut, m_scoring, is_persistent).score();
-    });
-    std::vector<std::size_t> chosen(unknown.size());
-    std::iota(chosen.begin(), chosen.end(), 0);
-    std::stable_sort(chosen.begin(), chosen.end(),
-                     [&](std::size_t a, std::size_t b) { return Is_better{weight}(unknown[a], unknown[b]); });
-    chosen.resize((std::min)(chosen.size(), number));
-    m_team(chosen.size(), [&](std::size_t i) {
-      std::optional<Cut_scoring>& scoring = scorings[chosen[i]];
-      if(scoring && (!has_passed(m_deadline) || must_be_scored(chosen[i]))) {
-        scoring->refine();
-        unknown[chosen[i]].score = scoring->score();
-      }
-    });
+    score_in_stages(unknown, weight, stages, number_well);
     long work = 0;
     for(Scored_cut& cut : unknown) {
       work += cut.score.work;
@@ -215,6 +213,41 @@ private:
     for(std::size_t i = 0; i < cuts.size(); ++i)
       cuts[i].score = m_known[places[i]].score;
     return cuts;
+  }
+
+  /// scores cuts concurrently: all by a cheap iteration, in each stage the best so far at a weight by a better map, and the
+  /// best \p number_well of the last stage well
+  void score_in_stages(std::vector<Scored_cut>& cuts, double weight, const std::vector<Stage>& stages,
+                       std::size_t number_well)
+  {
+    std::vector<std::optional<Cut_scoring>> scorings(cuts.size());
+    std::vector<std::size_t> chosen(cuts.size());
+    std::iota(chosen.begin(), chosen.end(), 0);
+    const auto must_be_scored = [&](std::size_t c) { // one of all cuts must have a score, be it that on a simpler copy
+      return m_known.size() + c == 0 && !std::isfinite(cuts[c].score.stretch);
+    };
+    const auto for_chosen = [&](const auto& improve) {
+      m_team(chosen.size(), [&](std::size_t i) {
+        const std::size_t c = chosen[i];
+        if(has_passed(m_deadline) && !must_be_scored(c))
+          return;
+        improve(c);
+        cuts[c].score = scorings[c]->score();
+      });
+    };
+    const auto keep_best = [&](std::size_t number) {
+      std::stable_sort(chosen.begin(), chosen.end(),
+                       [&](std::size_t a, std::size_t b) { return Is_better{weight}(cuts[a], cuts[b]); });
+      chosen.resize((std::min)(chosen.size(), number));
+    };
+    const bool is_persistent = m_known.empty(); // where the first cut has no map, others hardly ever do
+    for_chosen([&](std::size_t c) { scorings[c].emplace(m_surface, cuts[c].cut, m_scoring, is_persistent); });
+    for(const Stage& stage : stages) {
+      keep_best(stage.number);
+      for_chosen([&](std::size_t c) { scorings[c]->lower(stage.tolerance); });
+    }
+    keep_best(number_well);
+    for_chosen([&](std::size_t c) { scorings[c]->finish(); });
   }
 
   const Triangle_surface& m_surface;

@@ -14,6 +14,7 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/number_of_loops.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/short_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/simplified_copy.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/weights_of_family.h>
 
@@ -64,7 +65,7 @@ public:
         simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
     const Triangle_surface& grown = copy ? *copy : surface;
     m_grows_on_surface = !copy;
-    std::vector<Scored_cut> starts = without_scores(rerouted_initial_cuts(grown, numbers(), m_team));
+    std::vector<Scored_cut> starts = starts_on(grown);
     for(Scored_cut& cut : cuts_grown_on_simpler_copies(grown))
       starts.push_back(std::move(cut));
     m_progress.begin_part(GROWN, double(work_of_growth(grown) + (copy ? work_of_decision(surface, numbers()) : 0)));
@@ -117,6 +118,17 @@ private:
     return cuts;
   }
 
+  /// the cuts that growth begins with
+  std::vector<Scored_cut> starts_on(const Triangle_surface& surface)
+  {
+    std::vector<Cut> cuts = rerouted_initial_cuts(surface, numbers(), m_team);
+    const bool is_sphere = surface.border_loops.empty() && surface.genus() == 0;
+    if(is_sphere && m_weight > HEAVIEST_OF_FAMILY)
+      for(Cut& cut : short_cuts(surface))
+        cuts.push_back(std::move(cut));
+    return without_scores(std::move(cuts));
+  }
+
   /// copies of different numbers of faces: handles may keep some from getting simpler, and each is to be grown on once
   std::vector<Triangle_surface> simpler_copies(const Triangle_surface& grown)
   {
@@ -143,8 +155,7 @@ private:
   /// cuts of different lengths, none of which need be good
   std::vector<Scored_cut> grow_family(const Triangle_surface& surface, Cut_history& history)
   {
-    const std::vector<Scored_cut> starts = without_scores(rerouted_initial_cuts(surface, numbers(), m_team));
-    const Cut_pool pool = grown_pool(surface, starts, history);
+    const Cut_pool pool = grown_pool(surface, starts_on(surface), history);
     m_progress.advance(double((std::max)(0L, work_of_growth(surface) - pool.work()))); // which was not needed
     return pool.selection(m_weight);
   }

@@ -37,17 +37,23 @@ inline double stretch_with_searched_corners(const Triangle_surface& surface, con
   }
 }
 
-/// judges the cuts that come near the best at a weight by the stretch that they leave when their corners are searched,
-/// concurrently: that of a few corners spread over the border is up to 3 % larger, for some cuts more than for others. A cut
+/// judges the best cut at a weight, and then those that come near it, by the stretch that they leave when their corners are
+/// searched: that of a few corners spread over the border is up to 3 % larger, for some cuts more than for others. A cut
 /// keeps its score where the search finds nothing better.
 inline void judge_cuts(const Triangle_surface& surface, double weight, const Cut_score_options& options,
                        Thread_team& team, Cut_progress& progress, std::vector<Scored_cut>& cuts)
 {
-  const double far = (1 + options.numbers.far_from_best) * best_of(cuts, weight).score.at(weight);
+  const auto judge = [&](Scored_cut& cut) {
+    double& stretch = cut.score.stretch;
+    if(stretch <= options.numbers.largest_judged_stretch)
+      stretch = (std::min)(stretch, stretch_with_searched_corners(surface, cut.cut, options));
+  };
+  Scored_cut& best = *std::min_element(cuts.begin(), cuts.end(), Is_better{weight});
+  judge(best);
+  const double far = (1 + options.numbers.far_from_best) * best.score.at(weight);
   team(cuts.size(), [&](std::size_t i) {
-    double& stretch = cuts[i].score.stretch;
-    if(cuts[i].score.at(weight) <= far && stretch <= options.numbers.largest_judged_stretch)
-      stretch = (std::min)(stretch, stretch_with_searched_corners(surface, cuts[i].cut, options));
+    if(&cuts[i] != &best && cuts[i].score.at(weight) <= far)
+      judge(cuts[i]);
     progress.advance(1);
   });
 }

@@ -124,12 +124,12 @@ inline Minimized_map slow_map(const Patch& patch, const Uv_coordinates& border, 
   return map;
 }
 
-/// scores a cut by the stretch that it leaves and by its length, in two steps: a rough map bounds the stretch from
-/// above, and tells which of several cuts are worth a good one
+/// scores a cut by the stretch that it leaves and by its length, in steps: what is known so far bounds the stretch from
+/// above, and tells which of several cuts are worth the next one
 class Cut_scoring
 {
 public:
-  /// the rough map. Of the corners a cheap iteration tells which are mapped in earnest.
+  /// the map of a cheap iteration, for those of a few corners where that is best
   /// \param is_persistent takes more time for a map where there seems to be none
   Cut_scoring(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options, bool is_persistent)
     : m_options(options), m_is_persistent(is_persistent)
@@ -149,8 +149,19 @@ public:
 
   const Cut_score& score() const { return m_score; }
 
+  /// goes on with the map until its energy decreases by less, relative
+  void lower(double tolerance)
+  {
+    if(!m_minimizer)
+      return;
+    try {
+      minimize(tolerance);
+    } catch(const Unmappable&) { // the map so far is what is known
+    }
+  }
+
   /// goes on with the map until its stretch is all but the least for the corners; frees its memory
-  void refine()
+  void finish()
   {
     if(!m_minimizer)
       return;
@@ -158,7 +169,7 @@ public:
       minimize(m_options.numbers.score_tolerance);
       if(m_map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS)
         map_slowly();
-    } catch(const Unmappable&) { // the rough map is what is known
+    } catch(const Unmappable&) {
     }
     m_minimizer.reset();
     m_patch.reset();
@@ -185,7 +196,6 @@ private:
     balanced.aspect = m_options.aspect;
     balanced.maximum_iterations = static_cast<unsigned int>(m_options.numbers.score_steps);
     m_minimizer = std::make_unique<const Balanced_minimizer>(*m_patch, balanced, m_options.deadline);
-    minimize(m_options.numbers.rough_score_tolerance);
   }
 
   void minimize(double tolerance)
@@ -225,7 +235,8 @@ private:
 inline Cut_score score_cut(const Triangle_surface& surface, const Cut& cut, const Cut_score_options& options)
 {
   Cut_scoring scoring(surface, cut, options, true);
-  scoring.refine();
+  scoring.lower(options.numbers.rough_score_tolerance);
+  scoring.finish();
   return scoring.score();
 }
 

@@ -13,6 +13,7 @@ namespace internal {
 /// see `weights_of_family()`
 constexpr double HEAVIEST_OF_FAMILY = 0.2;
 constexpr int FAMILY_WEIGHTS = 5; // each half of the one before
+constexpr double MIDDLE_OF_FAMILY = HEAVIEST_OF_FAMILY / 4;
 
 /// indicates whether a weight lies outside those of the family
 inline bool is_outside_family(double weight)

@@ -5,6 +5,7 @@
 #include "multilevel_cases.h"
 
 #include <CGAL_ext/Square_parameterization/internal/coarsening/insert_vertices.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/exact_orientation.h>
@@ -12,12 +13,17 @@
 #include <CGAL_ext/Square_parameterization/internal/patch/vertices_along_curve.h>
 #include <CGAL_ext/Square_parameterization/internal/pipeline/other_starts.h>
 
+#include <CGAL/hilbert_sort.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <random>
 #include <set>
+#include <vector>
 
 using namespace CGAL_ext;
 using namespace CGAL_ext::internal;
@@ -32,6 +38,26 @@ std::vector<Patch> large_patches()
 }
 
 } // namespace
+
+TEST_CASE("vertices lie along the curve as CGAL sorts them, for any number of threads")
+{
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> coordinate(0, 40); // many points have one in common, and some all three
+  for(int size : {0, 1, 2, 3, 5, 7, 8, 9, 64, 5000}) {
+    std::vector<Eigen::Vector3d> points;
+    for(int i = 0; i < size; ++i)
+      points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    std::vector<int> sorted(points.size());
+    std::iota(sorted.begin(), sorted.end(), 0);
+    CGAL::hilbert_sort(sorted.begin(), sorted.end(), Numbered_points_traits{{&points, 0}, {&points, 1}, {&points, 2}},
+                       CGAL::Hilbert_sort_median_policy());
+    for(unsigned int threads : {1u, 3u}) {
+      Thread_team team(threads);
+      const Thread_team::Scope scope(team);
+      CHECK(vertices_along_curve(points) == sorted);
+    }
+  }
+}
 
 TEST_CASE("a coarse patch is a disk with the same border, and its vertices are among the fine ones")
 {

@@ -358,10 +358,35 @@ TEST_CASE("where length counts for more than stretch, a sphere is cut along a fe
   options.cut_weight = 20;
   const Decision decision = decide(surface, options);
   CHECK(decision.report.cut_length < 0.15);
-  for(const Cut& cut : short_cuts(surface)) {
-    CHECK(cut.edges().size() == 2);
-    CHECK(opened_surface(surface, cut).is_disk());
+}
+
+TEST_CASE("short cuts have two edges, and leave a disk of a sphere however small")
+{
+  const Closed_mesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  for(const Closed_mesh& mesh : {tetrahedron, ellipsoid(0), ellipsoid(3, 20)}) {
+    const Triangle_surface surface = surface_of(mesh);
+    const std::vector<Cut> cuts = short_cuts(surface);
+    CHECK(cuts.size() == 3 * (std::min)(std::size_t(6), mesh.points.size()));
+    for(const Cut& cut : cuts) {
+      CHECK(cut.edges().size() == 2);
+      CHECK(opened_surface(surface, cut).is_disk());
+    }
   }
+}
+
+TEST_CASE("of the cuts that are carried over the best at an unusual weight comes first")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3, 20));
+  Thread_team team(1);
+  Cut_progress progress(nullptr);
+  Cut_pool pool(surface, {}, 1e9, team, {}, progress);
+  std::vector<Cut> cuts = rerouted_initial_cuts(surface, {}, team);
+  for(const Cut& cut : short_cuts(surface))
+    cuts.push_back(cut);
+  pool.start(without_scores(cuts), 1000 * surface.number_of_vertices());
+  REQUIRE(pool.best(20).cut.edges() != pool.best(0.05).cut.edges());
+  CHECK(pool.selection(20).front().cut.edges() == pool.best(20).cut.edges());
 }
 
 TEST_CASE("a surface of many holes is cut and mapped, though the quick map of its score is lost in rounding")

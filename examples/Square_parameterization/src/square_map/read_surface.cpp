@@ -57,7 +57,7 @@ Mesh make_mesh(const CGAL_ext::internal::Surface_soup& soup)
     triangles.push_back({static_cast<int>(face[0]), static_cast<int>(face[1]), static_cast<int>(face[2])});
   const CGAL_ext::internal::Edge_numbering numbering = CGAL_ext::internal::number_edges(soup.points.size(), triangles);
 
-  Mesh mesh;
+  Mesh mesh; // made of a given size by a member that CGAL's manual does not have, for several threads to fill
   mesh.resize(static_cast<Mesh::size_type>(soup.points.size()), static_cast<Mesh::size_type>(numbering.edges.size()),
               static_cast<Mesh::size_type>(triangles.size()));
   for_ranges(soup.points.size(), [&](std::size_t begin, std::size_t end) {

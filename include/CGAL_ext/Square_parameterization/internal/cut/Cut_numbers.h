@@ -54,7 +54,7 @@ struct Cut_numbers
 
   // --- the score of a cut ---
 
-  /// choices of corners, spread evenly over a quarter of the border, of which the best is mapped in earnest. Fewer: the
+  /// choices of corners, spread evenly over a quarter of the border, of which the best gets a map. Fewer: the
   /// score depends on where the cut happens to begin.
   int corner_candidates = 8;
 
@@ -82,7 +82,8 @@ struct Cut_numbers
   /// the best few, by their rough scores, of the cuts that compete, which are scored well
   int scored_well = 3;
 
-  /// the same of the cuts to begin with, as a share of those that are scored at a time
+  /// the same of the cuts that growth begins with, as a share of those that are scored at a time; the others are compared by
+  /// rough scores. More: a thirtieth of the time, for nothing.
   double starts_scored_well = 0.3;
 
   /// relative decrease of the energy at which the map of a good score is done. A score need not be better than the
@@ -123,7 +124,7 @@ struct Cut_numbers
   int patience = 2;
 
   /// vertices farthest from the cut, and as many maxima of stretch, that compete to be the next terminal. Each costs a
-  /// map.
+  /// cheap iteration, and some a map.
   int candidates = 5;
 
   /// iterations of the map onto a circle that tells the maxima of stretch. It tells where the surface is long, for
@@ -177,7 +178,7 @@ struct Cut_numbers
   int move_rounds = 2;
 
   /// neighbors of a terminal where it is tried then, at most. More: a terminal on the apex of a large fan costs hundreds of
-  /// maps.
+  /// cheap iterations.
   int most_neighbors = 12;
 
   // --- selection, and refinement ---
@@ -188,7 +189,7 @@ struct Cut_numbers
   /// how far the stretch of a cut that is carried over may lie above the front of all cuts, relative
   double far = 0.05;
 
-  /// places round a terminal, besides that along the cut, where it is tried. Each costs a map.
+  /// places round a terminal, besides that along the cut, where it is tried. Each costs a map, nearly.
   int directions = 3;
 
   /// how far a terminal is moved at first, in units of sqrt(area): five edges of 4000 faces, two of 700

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -102,7 +103,7 @@ public:
     }
   }
 
-  /// what all scores together have cost: time is all but proportional to it
+  /// what all scores together have cost, by which time is limited: a cut that competes counts for a map at least
   long work() const { return m_work; }
 
   /// indicates whether scores cost more than \p work, in vertices mapped, together with the \p next ones, or the deadline
@@ -130,8 +131,9 @@ public:
   }
 
   /// good cuts of different lengths, the shortest first: of each of `selected` equal ranges of length that which lies
-  /// least above the front, unless it lies far above, and the best at \p weight where that lies outside the family. That one
-  /// alone when the deadline has passed. With their scores here, and none of what these have cost.
+  /// least above the front, unless it lies far above. Before them comes the best at \p weight where that lies outside the
+  /// family; one may come twice. That alone when the deadline has passed. With their scores here, and none of what these have
+  /// cost.
   std::vector<Scored_cut> selection(double weight) const
   {
     const std::vector<const Scored_cut*> best_cuts = front_of(m_known);
@@ -155,13 +157,11 @@ public:
         best_here = {excess, &known};
     }
     std::vector<Scored_cut> cuts;
+    if(is_outside_family(weight))
+      cuts.push_back(as_start(best(weight)));
     for(const Good_cut& good : best_of_range)
       if(good.cut != nullptr)
         cuts.push_back(as_start(*good.cut));
-    const Scored_cut& wanted = best(weight);
-    const auto is_wanted = [&wanted](const Scored_cut& cut) { return cut.cut.edges() == wanted.cut.edges(); };
-    if(is_outside_family(weight) && std::none_of(cuts.begin(), cuts.end(), is_wanted))
-      cuts.push_back(as_start(wanted));
     return cuts;
   }
 

@@ -65,14 +65,12 @@ public:
         simplified_copy(surface, numbers().growth_faces, numbers(), m_deadline);
     const Triangle_surface& grown = copy ? *copy : surface;
     m_grows_on_surface = !copy;
-    std::vector<Scored_cut> starts = starts_on(grown);
-    for(Scored_cut& cut : cuts_grown_on_simpler_copies(grown))
-      starts.push_back(std::move(cut));
+    const std::vector<Scored_cut> starts = starts_on(grown, cuts_grown_on_simpler_copies(grown));
     m_progress.begin_part(GROWN, double(work_of_growth(grown) + (copy ? work_of_decision(surface, numbers()) : 0)));
     Cut_pool pool_of_grown = grown_pool_for_long(grown, starts);
     if(!copy)
       return pool_of_grown;
-    Cut_pool pool = make_pool(surface, numbers().decision_tolerance);
+    Cut_pool pool = make_pool(surface, numbers_of_decision());
     pool.start(lifted(grown, pool_of_grown.selection(m_weight), surface), work_of_decision(surface, numbers()));
     return pool;
   }
@@ -80,11 +78,19 @@ public:
 private:
   const Cut_numbers& numbers() const { return m_scoring.numbers; }
 
-  /// \param tolerance of the good scores
-  Cut_pool make_pool(const Triangle_surface& surface, double tolerance)
+  /// those for scores of cuts that are carried over: all are good ones, at whatever weight they are to be compared
+  Cut_numbers numbers_of_decision() const
+  {
+    Cut_numbers result = numbers();
+    result.score_tolerance = numbers().decision_tolerance;
+    result.starts_scored_well = 1;
+    return result;
+  }
+
+  Cut_pool make_pool(const Triangle_surface& surface, const Cut_numbers& numbers_of_scores)
   {
     Cut_score_options scoring = m_scoring;
-    scoring.numbers.score_tolerance = tolerance;
+    scoring.numbers = numbers_of_scores;
     if(m_grows_on_surface)
       scoring.numbers.times_work_without_map = numbers().times_work_without_map_of_small;
     return {surface, scoring, m_max_cut_length, m_team, m_deadline, m_progress};
@@ -119,14 +125,16 @@ private:
   }
 
   /// the cuts that growth begins with
-  std::vector<Scored_cut> starts_on(const Triangle_surface& surface)
+  /// \param grown on simpler copies
+  std::vector<Scored_cut> starts_on(const Triangle_surface& surface, std::vector<Scored_cut> grown = {})
   {
-    std::vector<Cut> cuts = rerouted_initial_cuts(surface, numbers(), m_team);
+    std::vector<Scored_cut> cuts = without_scores(rerouted_initial_cuts(surface, numbers(), m_team));
+    std::move(grown.begin(), grown.end(), std::back_inserter(cuts));
     const bool is_sphere = surface.border_loops.empty() && surface.genus() == 0;
     if(is_sphere && m_weight > HEAVIEST_OF_FAMILY)
-      for(Cut& cut : short_cuts(surface))
+      for(Scored_cut& cut : without_scores(short_cuts(surface)))
         cuts.push_back(std::move(cut));
-    return without_scores(std::move(cuts));
+    return cuts;
   }
 
   /// copies of different numbers of faces: handles may keep some from getting simpler, and each is to be grown on once
@@ -175,7 +183,7 @@ private:
 
   Cut_pool grown_pool(const Triangle_surface& surface, const std::vector<Scored_cut>& starts, Cut_history& history)
   {
-    Cut_pool pool = make_pool(surface, numbers().score_tolerance);
+    Cut_pool pool = make_pool(surface, numbers());
     const long most_work = work_of_growth(surface);
     pool.start(starts, (std::max)(most_work, growth_work_per_vertex() * surface.number_of_vertices()));
     grow(pool, most_work, history);

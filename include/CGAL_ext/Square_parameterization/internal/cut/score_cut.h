@@ -152,30 +152,41 @@ public:
   /// goes on with the map until its energy decreases by less, relative
   void lower(double tolerance)
   {
-    if(!m_minimizer)
-      return;
-    try {
-      minimize(tolerance);
-    } catch(const Unmappable&) { // the map so far is what is known
-    }
+    improve([&] { minimize(tolerance); });
   }
 
   /// goes on with the map until its stretch is all but the least for the corners; frees its memory
   void finish()
   {
-    if(!m_minimizer)
-      return;
-    try {
+    improve([&] {
       minimize(m_options.numbers.score_tolerance);
       if(m_map.report.stop_reason == Stop_reason::MAXIMUM_ITERATIONS)
         map_slowly();
+    });
+    free_memory();
+  }
+
+private:
+  /// lowers the map, if there is one; where that fails, its stretch so far is what is known
+  template <class Work>
+  void improve(const Work& work)
+  {
+    if(m_map.uv.rows() == 0)
+      return;
+    try {
+      work();
     } catch(const Unmappable&) {
+      free_memory();
     }
+  }
+
+  void free_memory()
+  {
+    m_map = Minimized_map();
     m_minimizer.reset();
     m_patch.reset();
   }
 
-private:
   void start()
   {
     const std::vector<Uv_coordinates> borders =
@@ -191,15 +202,21 @@ private:
     m_border = border_coordinates(*m_patch, m_map.uv);
     m_score.stretch = m_map.report.l2;
     m_map.report = {};
+  }
+
+  std::unique_ptr<const Balanced_minimizer> make_balanced_minimizer() const
+  {
     Balanced_minimization balanced;
     balanced.balance = m_options.balance;
     balanced.aspect = m_options.aspect;
     balanced.maximum_iterations = static_cast<unsigned int>(m_options.numbers.score_steps);
-    m_minimizer = std::make_unique<const Balanced_minimizer>(*m_patch, balanced, m_options.deadline);
+    return std::make_unique<const Balanced_minimizer>(*m_patch, balanced, m_options.deadline);
   }
 
   void minimize(double tolerance)
   {
+    if(!m_minimizer) // four of ten cuts that compete never get here
+      m_minimizer = make_balanced_minimizer();
     Balanced_minimizer::Workspace workspace;
     const long work_before = m_map.work;
     m_map = m_minimizer->minimize(std::move(m_map), tolerance, workspace);

@@ -16,12 +16,12 @@
 namespace CGAL_ext {
 namespace internal {
 
-/// the cut of a sphere along an edge of a vertex, and along that of its edges which leads farthest away from there
+/// the cut of a sphere along an edge of a vertex, and along that of its other edges which leads farthest away from there
 inline Cut cut_across(const Triangle_surface& surface, int v, int edge)
 {
   const int begin = surface.other_end(edge, v);
   const auto distance = [&](int e) {
-    return (surface.points[surface.other_end(e, v)] - surface.points[begin]).squaredNorm();
+    return e == edge ? -1 : (surface.points[surface.other_end(e, v)] - surface.points[begin]).squaredNorm();
   };
   const auto edges = surface.vertex_edges[v];
   const int opposite =
@@ -34,20 +34,20 @@ inline Cut cut_across(const Triangle_surface& surface, int v, int edge)
   return cut;
 }
 
-/// cuts of a sphere of two edges each, in several directions at vertices far from each other: where length counts for more than
-/// stretch, the best cut is short, and growth, which begins with a long one, seldom gets there
+/// cuts of a sphere of two edges each, up to three at each of six vertices far from each other: where length counts for more
+/// than stretch, the best cut is short, and growth, which begins with a long one, seldom gets there
 inline std::vector<Cut> short_cuts(const Triangle_surface& surface)
 {
-  constexpr std::size_t PLACES = 6, DIRECTIONS = 3;
+  constexpr std::size_t PLACES = 6, CUTS = 3;
   std::vector<int> places{0};
-  while(places.size() < PLACES)
+  while(places.size() < (std::min)(PLACES, surface.points.size()))
     places.push_back(farthest_vertex(shortest_paths(surface, places)));
   std::vector<Cut> cuts;
   for(int v : places) {
     const auto edges = surface.vertex_edges[v];
     const std::size_t degree = edges.end() - edges.begin();
-    for(std::size_t i = 0; i < DIRECTIONS; ++i)
-      cuts.push_back(cut_across(surface, v, edges.begin()[i * degree / DIRECTIONS]));
+    for(std::size_t i = 0; i < CUTS; ++i)
+      cuts.push_back(cut_across(surface, v, edges.begin()[i * degree / CUTS]));
   }
   return cuts;
 }

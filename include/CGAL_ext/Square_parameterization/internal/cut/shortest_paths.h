@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <queue>

@@ -80,7 +80,7 @@ Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceR
   if(polygons > 0)
     refuse_polygons(polygons);
   const auto range = vertices(mesh);
-  const bool have_all_faces = std::distance(range.begin(), range.end()) == number_of_vertices;
+  const bool are_all_of_faces = std::distance(range.begin(), range.end()) == number_of_vertices;
   std::vector<int> number(number_of_vertices);
   result.vertices.reserve(number.size());
   result.arrays.points.reserve(number.size());
@@ -90,7 +90,7 @@ Face_graph_arrays<TriangleMesh> read_faces(const TriangleMesh& mesh, const FaceR
       number[met] = static_cast<int>(result.vertices.size());
       result.vertices.push_back(v);
       result.arrays.points.push_back(point_of(vpm, v));
-      if(!have_all_faces)
+      if(!are_all_of_faces)
         result.arrays.places.push_back(place);
     }
     ++place;

@@ -5,11 +5,13 @@
 #define CGAL_EXT_SQUARE_PARAMETERIZATION_INTERNAL_SURFACE_CHECK_SURFACE_IMPL_H
 
 #include <CGAL_ext/Square_parameterization/internal/common/Complaint.h>
+#include <CGAL_ext/Square_parameterization/internal/common/Thread_team.h>
 #include <CGAL_ext/Square_parameterization/internal/common/compiled_core.h>
 #include <CGAL_ext/Square_parameterization/internal/patch/Patch.h>
 #include <CGAL_ext/Square_parameterization/internal/surface/check_surface.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

@@ -41,7 +41,7 @@ class Family_growth
 {
 public:
   /// shares of the time of the whole decision that have passed when its parts end: medians of fifteen surfaces
-  static constexpr double GROWN_ON_SIMPLER_COPIES = 0.42, GROWN = 0.78;
+  static constexpr double GROWN_ON_SIMPLER_COPIES = 0.37, GROWN = 0.78;
 
   /// \param options of which the weight that is wanted, the greatest length and the deadline count
   /// \param history of what is met for that weight

@@ -55,7 +55,7 @@ public:
 
 private:
   // see `Family_growth`
-  static constexpr double SIMPLIFIED = 0.04, REFINED = 0.82;
+  static constexpr double SIMPLIFIED = 0.06, REFINED = 0.82;
   static constexpr double DECIDED_ON_SQUARE = 0.2; // where the best rectangle is wanted
 
   std::vector<Decided_cut> decide_on_copy(const Triangle_surface& surface)

@@ -45,7 +45,7 @@ inline void free_cut(const Triangle_surface& surface, int terminal, Cut& cut)
 /// indicates whether a terminal may go: a sphere is not cut without two
 inline bool may_be_freed(const Triangle_surface& surface, const Cut& cut)
 {
-  return cut.terminals().size() > (surface.border_loops.empty() && surface.genus() == 0 ? 2u : 0u);
+  return cut.terminals().size() > (surface.is_sphere() ? 2u : 0u);
 }
 
 /// all cuts of one surface that were scored. None is scored twice; those that compete are scored concurrently, and the

@@ -130,8 +130,7 @@ private:
   {
     std::vector<Scored_cut> cuts = without_scores(rerouted_initial_cuts(surface, numbers(), m_team));
     std::move(grown.begin(), grown.end(), std::back_inserter(cuts));
-    const bool is_sphere = surface.border_loops.empty() && surface.genus() == 0;
-    if(is_sphere && m_weight > HEAVIEST_OF_FAMILY)
+    if(surface.is_sphere() && m_weight > HEAVIEST_OF_FAMILY)
       for(Scored_cut& cut : without_scores(short_cuts(surface)))
         cuts.push_back(std::move(cut));
     return cuts;

@@ -57,6 +57,7 @@ struct Triangle_surface
   int euler_characteristic() const { return number_of_vertices() - number_of_edges() + number_of_faces(); }
   int genus() const { return (2 - static_cast<int>(border_loops.size()) - euler_characteristic()) / 2; }
   bool is_disk() const { return border_loops.size() == 1 && euler_characteristic() == 1; }
+  bool is_sphere() const { return border_loops.empty() && euler_characteristic() == 2; }
 };
 
 /// fills `opposites`, `edge_of_halfedge` and `edge_halfedges` of a surface whose triangles and edges are set

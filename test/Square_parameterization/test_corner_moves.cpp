@@ -10,7 +10,6 @@
 #include <CGAL_ext/Square_parameterization/internal/cut/Cut_pool.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/score_cut.h>
-#include <CGAL_ext/Square_parameterization/internal/minimization/Multilevel_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/make_minimizer.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_evaluation.h>
 #include <CGAL_ext/Square_parameterization/internal/search/Corner_moves.h>
@@ -27,6 +26,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <vector>
 
 using namespace CGAL_ext;
@@ -116,13 +116,43 @@ TEST_CASE("corners are moved by small steps where large ones tell of a lower pla
     CHECK(move(square(factor), square(factor)).evaluations <= once);
 }
 
+TEST_CASE("corners move by no fewer vertices than the border of the coarse patch has edges for")
+{
+  const Patch patch = make_patch_of(long_strip(2000));
+  const auto minimizer = make_minimizer(patch, Balanced_minimization());
+  Corner_evaluation maps(*minimizer, Coarse_maps::ROUGH, patch, nullptr, [] { return true; });
+  const std::size_t coarse_border = minimizer->coarse_patch(Coarse_maps::ROUGH).border.size();
+  REQUIRE(maps.least_step() > 1);
+  CHECK(maps.least_step() == int(patch.border.size() / coarse_border));
+
+  const int size = 4000, least_step = 10;
+  const Corners start{500, 1500, 2500, 3500};
+  std::set<int> steps; // of the first corner from where it was
+  const auto distances = [&](const std::vector<Corners>& choices, const Corner_choice* near) {
+    std::vector<double> objectives;
+    for(const Corners& corners : choices) {
+      if(near != nullptr)
+        steps.insert(std::abs(corners[0] - near->corners[0]));
+      objectives.push_back(1 + 1e-6 * std::pow(corners[0] - 777., 2));
+    }
+    return objectives;
+  };
+  for(const auto effort : {Corner_moves::ALL, Corner_moves::LIKELY}) {
+    Corner_moves moves(std::vector<double>(size, 1.), distances, {}, least_step);
+    const Corner_choice end = moves.descend(start, 512, effort);
+    CHECK(std::abs(end.corners[0] - 777) <= least_step);
+  }
+  steps.erase(0);
+  CHECK(*steps.begin() == 16); // 512, halved
+}
+
 TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")
 {
   const Triangle_surface plate = surface_of(plate_with_handles(10, 10));
   Thread_team team(1);
   const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
   const auto minimizer = make_minimizer(patch, Balanced_minimization());
-  const auto map_for = minimizer->make_rough_worker();
+  const auto map_for = minimizer->make_comparing_worker(Coarse_maps::ROUGH);
   for(const Uv_coordinates& border_uv : spread_borders(patch, 4))
     CHECK(map_for(border_uv, nullptr, std::numeric_limits<double>::infinity()).report.objective > 0);
 }
@@ -218,11 +248,9 @@ TEST_CASE("corners that move on a coarse patch first come to rest where they do 
     const Patch patch = make_patch_of(noisy_height_field(16, seed));
     REQUIRE(Minimizer_numbers::moves_corners_twice(patch.number_of_vertices(), int(patch.border.size())));
     REQUIRE(patch.number_of_vertices() <= Minimizer_numbers::LARGEST_ROUGH);
-    const Balanced_minimization minimization;
-    const Multilevel_minimizer levels(patch, minimization);
-    CHECK(levels.rough_level() == 0);
-    CHECK(levels.first_moves_level() > 0);
-    const auto minimizer = make_minimizer(patch, minimization);
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    CHECK(&minimizer->coarse_patch(Coarse_maps::ROUGH) == &patch);
+    CHECK(minimizer->coarse_patch(Coarse_maps::FIRST_MOVES).number_of_vertices() < patch.number_of_vertices());
     Square_search_options options;
     options.moves_corners = true;
     const double twice = search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.report.objective;

@@ -72,7 +72,7 @@ TEST_CASE("sketches of large patches tell their borders apart as their maps do")
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
     REQUIRE(minimizer->has_sketches());
     const auto map_for = minimizer->make_worker();
-    const auto sketch_for = minimizer->make_sketching_worker();
+    const auto sketch_for = minimizer->make_comparing_worker(Coarse_maps::SKETCHES);
     Stretch_curve energies, sketched;
     for(const Uv_coordinates& border_uv : spread_borders(patch, 6)) {
       energies.push_back(map_for(border_uv, nullptr).report.objective);
@@ -95,7 +95,7 @@ TEST_CASE("sketches that start from that of a neighbor are as low, and given up 
 {
   for(const Patch& patch : large_patches()) {
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
-    const auto sketch_for = minimizer->make_sketching_worker();
+    const auto sketch_for = minimizer->make_comparing_worker(Coarse_maps::SKETCHES);
     const std::vector<Uv_coordinates> borders = spread_borders(patch, static_cast<int>(patch.border.size()) / 4);
     const double none = std::numeric_limits<double>::infinity();
     for(std::size_t i = 0; i + 4 < borders.size(); i += 8) {
@@ -122,7 +122,7 @@ TEST_CASE("no sketch of a plate of many holes is lost on the way from coarse to 
     const Patch patch = patch_of_cut(plate, shortest_cut(plate, team));
     const auto minimizer = make_minimizer(patch, Balanced_minimization());
     REQUIRE(minimizer->has_sketches());
-    const auto sketch_for = minimizer->make_sketching_worker();
+    const auto sketch_for = minimizer->make_comparing_worker(Coarse_maps::SKETCHES);
     Stretch_curve energies;
     for(const Uv_coordinates& border_uv : spread_borders(patch, 8))
       energies.push_back(sketch_for(border_uv, nullptr, std::numeric_limits<double>::infinity()).report.objective);

@@ -52,20 +52,21 @@ public:
     };
   }
 
+  bool has_coarse_maps() const override { return true; }
+
   bool has_sketches() const override { return m_minimizer.has_sketches(); }
 
-  Comparing_worker make_sketching_worker() const override { return comparing_worker(m_minimizer.sketch_level()); }
-
-  bool has_rough_maps() const override { return true; }
-
-  Comparing_worker make_rough_worker() const override { return comparing_worker(m_minimizer.rough_level()); }
-
-  Comparing_worker make_first_moves_worker() const override
+  Comparing_worker make_comparing_worker(Coarse_maps kind) const override
   {
-    return comparing_worker(m_minimizer.first_moves_level());
+    return [this, kind, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](
+               const Uv_coordinates& border_uv, const Uv_coordinates* warm_start, double limit) {
+      return has_chord_on_a_side(m_patch, border_uv)
+                 ? Minimized_map()
+                 : m_minimizer.compare(kind, border_uv, *workspace, warm_start, limit);
+    };
   }
 
-  bool has_first_moves_on_patch() const override { return m_minimizer.first_moves_level() == 0; }
+  const Patch& coarse_patch(Coarse_maps kind) const override { return m_minimizer.coarse_patch(kind); }
 
   Minimized_map finish(Minimized_map map, double limit) const override
   {
@@ -95,16 +96,6 @@ public:
   }
 
 private:
-  Comparing_worker comparing_worker(std::size_t level) const
-  {
-    return [this, level, workspace = std::make_shared<Multilevel_minimizer::Workspace>()](
-               const Uv_coordinates& border_uv, const Uv_coordinates* warm_start, double limit) {
-      return has_chord_on_a_side(m_patch, border_uv)
-                 ? Minimized_map()
-                 : m_minimizer.sketch(level, border_uv, *workspace, warm_start, limit);
-    };
-  }
-
   /// maps for a border of area 1; one that is not the unit square does not slide
   Minimized_map map_unit_border(const Uv_coordinates& border_uv) const
   {

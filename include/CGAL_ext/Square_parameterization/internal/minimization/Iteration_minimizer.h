@@ -35,13 +35,10 @@ public:
     };
   }
 
+  bool has_coarse_maps() const override { return false; }
   bool has_sketches() const override { return false; }
-
-  Comparing_worker make_sketching_worker() const override { return {}; }
-  Comparing_worker make_rough_worker() const override { return {}; }
-  Comparing_worker make_first_moves_worker() const override { return {}; }
-  bool has_first_moves_on_patch() const override { return false; }
-  bool has_rough_maps() const override { return false; }
+  Comparing_worker make_comparing_worker(Coarse_maps) const override { return {}; }
+  const Patch& coarse_patch(Coarse_maps) const override { return m_patch; }
 
   /// a map of a worker is ready
   Minimized_map finish(Minimized_map map, double) const override { return map; }

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/Stretch_minimization.h>
 #include <CGAL_ext/Square_parameterization/internal/iteration/Minimized_map.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Coarse_maps.h>
 
 #include <functional>
 #include <limits>
@@ -48,25 +49,19 @@ public:
   /// makes the worker of a thread; it refers to the minimizer
   virtual Worker make_worker() const = 0;
 
-  /// indicates whether there are sketches: the patch is large, and the minimizer has coarser ones
+  /// indicates whether the minimizer has coarse patches
+  virtual bool has_coarse_maps() const = 0;
+
+  /// indicates whether all candidates are to be sketched: the patch is large, and that of sketches much smaller
   virtual bool has_sketches() const = 0;
 
   /// a worker that makes maps of a coarse patch, without uv, whose objectives are comparable among themselves.
-  /// \pre `has_sketches()`
-  virtual Comparing_worker make_sketching_worker() const = 0;
+  /// \pre `has_coarse_maps()`
+  virtual Comparing_worker make_comparing_worker(Coarse_maps kind) const = 0;
 
-  /// the same on a patch so small that a map costs little, which may be the patch itself: to compare hundreds of borders.
-  /// \pre `has_rough_maps()`
-  virtual Comparing_worker make_rough_worker() const = 0;
-
-  /// the same on the patch on which corners are moved first, which may be smaller. \pre `has_rough_maps()`
-  virtual Comparing_worker make_first_moves_worker() const = 0;
-
-  /// indicates whether that is the patch itself, which is small, or cannot be made coarser
-  virtual bool has_first_moves_on_patch() const = 0;
-
-  /// indicates whether the minimizer has coarse patches
-  virtual bool has_rough_maps() const = 0;
+  /// the coarse patch that is mapped, which may be the patch itself: where that is small, or cannot be made coarser.
+  /// \pre `has_coarse_maps()`
+  virtual const Patch& coarse_patch(Coarse_maps kind) const = 0;
 
   /// the map to deliver, made of the best map of a worker: candidates are mapped no better than needed to compare them
   /// \param limit one whose objective stays above it may come back as it is, or on its way to be finished by another call;

@@ -6,6 +6,7 @@
 
 #include <CGAL_ext/Square_parameterization/internal/border/shift_border.h>
 #include <CGAL_ext/Square_parameterization/internal/common/Minimizer_numbers.h>
+#include <CGAL_ext/Square_parameterization/internal/minimization/Coarse_maps.h>
 #include <CGAL_ext/Square_parameterization/internal/minimization/Minimizer_levels.h>
 
 #include <cstddef>
@@ -65,23 +66,16 @@ public:
            Minimizer_numbers::LEAST_SKETCH_RATIO * sketched <= vertices;
   }
 
-  /// the patch whose maps are sketches
-  std::size_t sketch_level() const { return m_levels->sketched(); }
-
-  /// the patch of rough maps, which cost little
-  std::size_t rough_level() const { return m_levels->rough(); }
-
-  /// the patch on which corners are moved first
-  std::size_t first_moves_level() const { return m_levels->first_moves(); }
+  /// the patch that is mapped to compare borders, which may be the patch itself
+  const Patch& coarse_patch(Coarse_maps kind) const { return patches()[level_of(kind)]; }
 
   /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
   /// the finer patches save is much the same for all. Without uv, and infinite when no map was found.
-  /// \param level the one of sketches, of rough maps or of first moves
-  /// \param warm_start of a sketch of the same level for a similar border; may be null
+  /// \param warm_start of such a map of the same kind for a similar border; may be null
   /// \param limit an energy above it is found less exactly
-  Minimized_map sketch(std::size_t level, const Uv_coordinates& border_uv, Workspace& workspace,
-                       const Uv_coordinates* warm_start = nullptr,
-                       double limit = std::numeric_limits<double>::infinity()) const;
+  Minimized_map compare(Coarse_maps kind, const Uv_coordinates& border_uv, Workspace& workspace,
+                        const Uv_coordinates* warm_start = nullptr,
+                        double limit = std::numeric_limits<double>::infinity()) const;
 
   /// continues with a map of `minimize()`, to the tolerance of the map that is delivered, and settles it
   /// \param limit one whose energy will stay above it is left on its way; its energy is about what it would come to
@@ -99,9 +93,21 @@ private:
   /// indicates whether few maps are made of the patch: while the coarser ones are at hand, the first minimization is the last
   bool is_large() const { return patches()[0].number_of_vertices() > Minimizer_numbers::LARGEST_FACTORED; }
 
+  std::size_t level_of(Coarse_maps kind) const
+  {
+    switch(kind) {
+    case Coarse_maps::SKETCHES:
+      return m_levels->sketched();
+    case Coarse_maps::ROUGH:
+      return m_levels->rough();
+    default:
+      return m_levels->first_moves();
+    }
+  }
+
   /// without uv when the map cannot be carried over
-  Minimized_map sketch_from(std::size_t level, const Uv_coordinates& warm_start, double limit,
-                            const Uv_coordinates& border_uv, Workspace& workspace) const;
+  Minimized_map compare_from(std::size_t level, const Uv_coordinates& warm_start, double limit,
+                             const Uv_coordinates& border_uv, Workspace& workspace) const;
 
   /// the level of a warm start, of which its size tells: each patch is smaller than the one before it
   std::optional<std::size_t> level_of(const Uv_coordinates& warm_start) const

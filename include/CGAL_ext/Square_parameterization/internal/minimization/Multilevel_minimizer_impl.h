@@ -63,16 +63,17 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::minimize(const Uv_c
   return map;
 }
 
-CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::sketch(std::size_t level, const Uv_coordinates& border_uv,
-                                                                    Workspace& workspace,
-                                                                    const Uv_coordinates* warm_start,
-                                                                    double limit) const
+CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::compare(Coarse_maps kind, const Uv_coordinates& border_uv,
+                                                                     Workspace& workspace,
+                                                                     const Uv_coordinates* warm_start,
+                                                                     double limit) const
 {
+  const std::size_t level = level_of(kind);
   m_levels->prepare(workspace);
   const Patch_sequence::Borders borders = patches().borders(border_uv);
   Minimized_map map;
   if(warm_start != nullptr && level < borders.size())
-    map = sketch_from(level, *warm_start, limit, borders[level].uv, workspace);
+    map = compare_from(level, *warm_start, limit, borders[level].uv, workspace);
   if(map.uv.rows() == 0) {
     Coarse_to_fine_descent descent(*m_levels, m_first_maps, borders, workspace);
     Uv_coordinates uv = descent.start(level);
@@ -98,10 +99,10 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::finish(Minimized_ma
   return map;
 }
 
-CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::sketch_from(std::size_t level,
-                                                                         const Uv_coordinates& warm_start, double limit,
-                                                                         const Uv_coordinates& border_uv,
-                                                                         Workspace& workspace) const
+CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::compare_from(std::size_t level,
+                                                                          const Uv_coordinates& warm_start,
+                                                                          double limit, const Uv_coordinates& border_uv,
+                                                                          Workspace& workspace) const
 {
   Uv_coordinates uv = transport(level, warm_start, border_uv, workspace);
   if(uv.rows() == 0)

@@ -42,6 +42,7 @@ struct Corner_choice
 class Corner_evaluation
 {
 public:
+  /// of the patch itself
   /// \param visitor told of each map, by one thread at a time; may be null
   /// \param may_continue asked before each map, by one thread at a time; `false` stops
   /// \param most_at_once maps under way at a time, each with the memory of a worker
@@ -54,6 +55,20 @@ public:
       m_visitor(visitor),
       m_may_continue(std::move(may_continue))
   {}
+
+  /// of a coarse patch. \pre `minimizer.has_coarse_maps()`
+  Corner_evaluation(const Map_minimizer& minimizer, Coarse_maps kind, const Patch& patch, Search_visitor* visitor,
+                    std::function<bool()> may_continue)
+    : Corner_evaluation([&minimizer, kind] { return minimizer.make_comparing_worker(kind); }, patch, visitor,
+                        std::move(may_continue))
+  {
+    const std::size_t coarse_border = minimizer.coarse_patch(kind).border.size();
+    m_least_step = (std::max)(1, static_cast<int>(patch.border.size() / coarse_border));
+  }
+
+  /// edges of the border by which corners differ, at least, for their maps to: those of a coarse patch with less border are
+  /// the same for corners that are nearer
+  int least_step() const { return m_least_step; }
 
   /// the objectives of choices, which are positions in the border loop, in their order; infinite for one without a map.
   /// Throws `Unmappable` for one that is out of order, and `Search_cancelled` when it is not to continue.
@@ -156,6 +171,7 @@ private:
 
   Worker_pool<Map_minimizer::Comparing_worker> m_workers;
   const Border_walk m_loop;
+  int m_least_step = 1;
   std::size_t m_most_at_once;
   Search_visitor* m_visitor;
   std::function<bool()> m_may_continue;

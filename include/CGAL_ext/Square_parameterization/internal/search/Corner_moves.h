@@ -42,8 +42,13 @@ public:
 
   /// \param lengths #B, edge k joins border vertices k and k + 1
   /// \param is_exhausted asked before each step: `true` leaves the corners where they are. May be empty.
-  Corner_moves(std::vector<double> lengths, Objective_of objective_of, std::function<bool()> is_exhausted = {})
-    : m_lengths(std::move(lengths)), m_objective_of(std::move(objective_of)), m_is_exhausted(std::move(is_exhausted))
+  /// \param least_step no step is shorter, in border vertices
+  Corner_moves(std::vector<double> lengths, Objective_of objective_of, std::function<bool()> is_exhausted = {},
+               int least_step = 1)
+    : m_lengths(std::move(lengths)),
+      m_objective_of(std::move(objective_of)),
+      m_is_exhausted(std::move(is_exhausted)),
+      m_least_step(least_step)
   {}
 
   /// the choices that a step compares
@@ -85,7 +90,7 @@ public:
   {
     Choice best = compare({corners}).front();
     std::vector<Move> moves = all_moves();
-    for(int step = (std::max)(1, first_step); step > 0 && !(m_is_exhausted && m_is_exhausted());) {
+    for(int step = (std::max)(m_least_step, first_step); step >= m_least_step && !is_exhausted();) {
       const std::vector<Choice> choices = compare(moved(best.corners, moves, step), &best);
       if(!choices.empty() && is_lower(choices.front(), best)) {
         best = choices.front();
@@ -95,7 +100,7 @@ public:
       if(effort == LIKELY && moves.size() == all_moves().size())
         moves = moves_to_bottoms(best, step);
       step /= 2;
-      if(step == 1)
+      if(step / 2 < m_least_step)
         moves = all_moves();
     }
     return best;
@@ -112,7 +117,7 @@ public:
   Choice descend_where_likely(const Corners& corners, int first_step, Corner_moves& rough)
   {
     Choice best = compare({corners}).front();
-    for(int step = (std::max)(1, first_step); step > 0 && !(m_is_exhausted && m_is_exhausted());) {
+    for(int step = (std::max)(m_least_step, first_step); step >= m_least_step && !is_exhausted();) {
       const Choice start = rough.compare({best.corners}).front();
       std::vector<Corners> likely;
       for(const Choice& choice : rough.compare(moved(best.corners, all_moves(), step), &start))
@@ -149,6 +154,8 @@ public:
 
 private:
   int size() const { return static_cast<int>(m_lengths.size()); }
+
+  bool is_exhausted() const { return m_is_exhausted && m_is_exhausted(); }
 
   /// indicates whether a choice is worth a move
   static bool is_lower(const Choice& choice, const Choice& best)
@@ -255,6 +262,7 @@ private:
   std::vector<double> m_lengths;
   Objective_of m_objective_of;
   std::function<bool()> m_is_exhausted;
+  int m_least_step;
   std::map<Corners, double> m_known;
 };
 
@@ -272,17 +280,19 @@ inline std::vector<Corners> corners_of_spread_candidates(const std::vector<doubl
   return corners;
 }
 
-/// the objectives of moves: maps start from that of the choice that is moved, or from \p first, which may be null. On
-/// rectangles that differ in their aspect maps come down slowly, and are not given up before.
-inline Corner_moves::Objective_of objective_of_moves(Corner_evaluation& maps, const Uv_coordinates* first = nullptr)
+/// moves of the corners of a patch that are compared by maps: these start from that of the choice that is moved, or from
+/// \p first, which may be null. On rectangles that differ in their aspect maps come down slowly, and are not given up before.
+inline Corner_moves moves_by_maps(const Patch& patch, Corner_evaluation& maps, std::function<bool()> is_exhausted,
+                                  const Uv_coordinates* first = nullptr)
 {
-  return [&maps, first](const std::vector<Corners>& choices, const Corner_choice* near) {
+  const auto objective_of = [&maps, first](const std::vector<Corners>& choices, const Corner_choice* near) {
     if(near == nullptr)
       return maps(choices, {choices.size(), first});
     const bool is_square = maps.best_map().aspect == 1;
     return maps(choices, {choices.size(), maps.warm_start(near->corners)},
                 is_square ? near->objective : std::numeric_limits<double>::infinity());
   };
+  return {patch.border_lengths, objective_of, std::move(is_exhausted), maps.least_step()};
 }
 
 } // namespace internal

@@ -33,7 +33,8 @@ public:
   Free_corners(const Patch& patch, const Map_minimizer& minimizer, Search_visitor* visitor,
                const std::function<bool()>& may_map, const std::function<bool()>& may_compare)
     : m_patch(patch),
-      m_has_first_moves_on_patch(minimizer.has_first_moves_on_patch()),
+      m_has_first_moves_on_patch(minimizer.has_coarse_maps() &&
+                                 &minimizer.coarse_patch(Coarse_maps::FIRST_MOVES) == &patch),
       m_has_sketched_candidates(minimizer.has_sketches()),
       m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, visitor, may_map,
              most_maps_at_once(patch.number_of_vertices()))
@@ -43,10 +44,10 @@ public:
     const int n = patch.number_of_vertices();
     const int border = static_cast<int>(patch.border.size());
     const bool is_sketched = n > Minimizer_numbers::LARGEST_SKETCH || Minimizer_numbers::moves_corners_twice(n, border);
-    if(minimizer.has_rough_maps() && is_sketched)
-      m_sketches.emplace([&minimizer] { return minimizer.make_sketching_worker(); }, patch, visitor, may_compare);
-    if(minimizer.has_rough_maps())
-      m_rough_maps.emplace([&minimizer] { return minimizer.make_first_moves_worker(); }, patch, visitor, may_compare);
+    if(minimizer.has_coarse_maps() && is_sketched)
+      m_sketches.emplace(minimizer, Coarse_maps::SKETCHES, patch, visitor, may_compare);
+    if(minimizer.has_coarse_maps())
+      m_rough_maps.emplace(minimizer, Coarse_maps::FIRST_MOVES, patch, visitor, may_compare);
   }
 
   /// the objectives of choices of corners; see `Corner_search_problem`
@@ -54,6 +55,10 @@ public:
   std::vector<double> map_roughly(const std::vector<Corners>& choices) { return (*m_rough_maps)(choices); }
 
   bool has_rough_maps() const { return m_rough_maps.has_value(); }
+
+  /// indicates whether corners move on sketches at last, which tell them apart better than rough maps
+  bool has_sketches() const { return m_sketches.has_value(); }
+
   const Minimized_map& best_map() const { return m_maps.best_map(); }
   const Corners& best_corners() const { return m_maps.best_corners(); }
 
@@ -92,7 +97,7 @@ public:
     try {
       double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
       const auto is_exhausted = [this, &most_work] { return work_of_rough_maps() > most_work; };
-      Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps), is_exhausted);
+      Corner_moves moves = moves_by_maps(m_patch, *m_rough_maps, is_exhausted);
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;
@@ -145,14 +150,15 @@ private:
   /// compared on sketches, or the rough maps are those of the patch itself
   bool has_other_valleys() const
   {
-    return !m_has_sketched_candidates && m_patch.number_of_vertices() > Minimizer_numbers::LARGEST_ROUGH;
+    return !m_has_sketched_candidates && !m_has_first_moves_on_patch &&
+           m_patch.number_of_vertices() > Minimizer_numbers::LARGEST_ROUGH;
   }
 
   /// where the corners of the candidate whose rough map is best come to rest, if that is much better than the start's. Its
   /// moves remember nothing of those of the start: objectives that are larger than the start's one are only near.
   std::optional<Corners> end_in_other_valley(const Corner_choice& start, const std::function<bool()>& is_exhausted)
   {
-    Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_rough_maps), is_exhausted);
+    Corner_moves moves = moves_by_maps(m_patch, *m_rough_maps, is_exhausted);
     const Corner_choice other = moves.compare(corners_of_spread_candidates(m_patch.border_lengths), &start).front();
     if(other.objective >= (1 - MUCH_LOWER) * start.objective)
       return {};
@@ -164,8 +170,8 @@ private:
   bool keep_best_sketch(const Corners& start, const Uv_coordinates* sketch, double most_work, Corner_moves& rough,
                         std::vector<Corners>& ends)
   {
-    Corner_moves moves(m_patch.border_lengths, objective_of_moves(*m_sketches, sketch),
-                       [this, most_work] { return double(m_sketches->work()) > most_work; });
+    Corner_moves moves = moves_by_maps(
+        m_patch, *m_sketches, [this, most_work] { return double(m_sketches->work()) > most_work; }, sketch);
     const Corner_choice first = moves.compare({start}).front();
     ends.push_back(start);
     const int step = static_cast<int>(m_patch.border.size()) / 32;

@@ -68,7 +68,8 @@ public:
     m_sketch_visitor.visitor = options.visitor;
     if(minimizer.has_sketches())
       m_sketches.emplace(
-          m_number_of_candidates, [this] { return for_candidates(below_limit(m_minimizer.make_sketching_worker())); },
+          m_number_of_candidates,
+          [this] { return for_candidates(below_limit(m_minimizer.make_comparing_worker(Coarse_maps::SKETCHES))); },
           &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 

@@ -39,8 +39,7 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
 {
   const std::size_t most_starts = patch.number_of_vertices() > 4 * Minimizer_numbers::LARGEST_ROUGH ? 2 : 1;
   double most_work = std::numeric_limits<double>::infinity(); // until the first maps tell the aspect
-  Corner_moves moves(patch.border_lengths, objective_of_moves(rough_maps),
-                     [&] { return double(rough_maps.work()) > most_work; });
+  Corner_moves moves = moves_by_maps(patch, rough_maps, [&] { return double(rough_maps.work()) > most_work; });
   std::vector<Corner_choice> starts = ranked_candidates(patch, moves);
   Corner_choice best = starts.front();
   if(!moves_corners)
@@ -59,13 +58,13 @@ inline Corners best_rough_corners(const Patch& patch, bool moves_corners, Corner
 /// a search for the corners in less than half of the work of `search_corners()`: rough maps alone are compared, and the
 /// best choice is mapped to the tolerance of a search. Without uv when that has no map, or the deadline has passed.
 /// \param moves_corners see `Square_search_options`
-/// \pre `minimizer.has_rough_maps()`
+/// \pre `minimizer.has_coarse_maps()`
 inline Minimized_map search_corners_roughly(const Patch& patch, const Map_minimizer& minimizer, bool moves_corners,
                                             const Deadline& deadline)
 {
   const auto is_in_time = [&deadline] { return !has_passed(deadline); };
   try {
-    Corner_evaluation rough_maps([&minimizer] { return minimizer.make_rough_worker(); }, patch, nullptr, is_in_time);
+    Corner_evaluation rough_maps(minimizer, Coarse_maps::ROUGH, patch, nullptr, is_in_time);
     const Corners corners = best_rough_corners(patch, moves_corners, rough_maps);
     Corner_evaluation maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch,
                            nullptr, is_in_time);

@@ -158,6 +158,39 @@ TEST_CASE("hybrid evaluates both ways together and stops where the stretch rises
   CHECK(batches[3] == std::set<int>{13, 14, 16, 17});
 }
 
+TEST_CASE("bracketing closes in but once where corners move afterwards, and refines no sketches")
+{
+  const int n = 655;
+  int sketches = 0, maps = 0, settled = -1;
+  const auto count = [](int& sum) {
+    return [&sum](const std::vector<int>& batch) {
+      sum += int(batch.size());
+      std::vector<double> objectives;
+      for(int k : batch)
+        objectives.push_back(1.5 - 0.3 * std::cos(2 * PI * (k - 100.3) / n));
+      return objectives;
+    };
+  };
+  Corner_search_problem problem;
+  problem.number_of_candidates = n;
+  problem.objective_of = count(maps);
+  Bracketing_corner_search()(problem);
+  const int all_maps = std::exchange(maps, 0);
+  problem.is_refined_by_moves = true;
+  Bracketing_corner_search()(problem);
+  CHECK(maps == 5 + 2); // even ones, and one on either side of the best
+  CHECK(maps < all_maps);
+
+  problem.sketched_objective_of = count(sketches);
+  problem.settle_for = [&](int k) { settled = k; };
+  Bracketing_corner_search()(problem);
+  CHECK(sketches == 32);
+  CHECK(std::abs(settled - 100.3) <= n / 64.); // half of the distance of even ones
+  problem.is_refined_by_moves = false;
+  Bracketing_corner_search()(problem);
+  CHECK(settled == 100);
+}
+
 TEST_CASE("bracketing finds the bottom of smooth valleys within its bound, and of the deeper of two")
 {
   for(int n : {1, 2, 3, 4, 8, 16, 39, 153, 655})

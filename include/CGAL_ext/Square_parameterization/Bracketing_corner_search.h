@@ -28,6 +28,9 @@ namespace CGAL_ext {
 /// then about as many between the best of them and its neighbors, and so on. It settles for the candidate with the best
 /// sketch, which is the only one that is mapped.
 ///
+/// Where the corners move afterwards (`Corner_search_problem::is_refined_by_moves`), it closes in but once, and sketches the
+/// even samples alone: the neighbors of the best candidate are told apart by the moves.
+///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
 /// or more (10000 while none has a map). On a mesh of 2500 vertices and more the first candidate is the only one when its
@@ -139,14 +142,17 @@ private:
     return work * m_samples > most ? static_cast<int>(most / work) : m_samples;
   }
 
-  /// samples valley by valley
+  /// samples valley by valley: the lowest one once where corners move afterwards, without which surfaces with fins and nails
+  /// are stretched up to 3 % more
   static void close_in(Samples& samples)
   {
-    while(!samples.are_all()) {
+    bool goes_on = true;
+    while(goes_on && !samples.are_all()) {
       const std::optional<Valley> valley = most_promising(samples.ring);
       if(!valley && !has_several_valleys(samples.ring))
         break;
       samples.evaluate(valley ? next_samples(*valley, samples.ring) : middle_of_largest_gap(samples.ring));
+      goes_on = !samples.problem.is_refined_by_moves;
     }
   }
 
@@ -167,6 +173,8 @@ private:
         ring.evaluate(ring.even_candidates(samples));
     if(!std::isfinite(ring.objective(ring.best())))
       return {};
+    if(problem.is_refined_by_moves)
+      return ring.best();
     for(std::set<int> finer;
         !has_cost_too_much(problem, ring) && !(finer = samples_around_best(ring, SAMPLES)).empty();)
       ring.evaluate({finer.begin(), finer.end()});

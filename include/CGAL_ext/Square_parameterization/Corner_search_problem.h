@@ -43,6 +43,10 @@ struct Corner_search_problem
   /// where there are none.
   std::function<void(int)> settle_for;
 
+  /// indicates whether the corners move from those of the best candidate when the search has ended, and are told apart well
+  /// there: it need not tell the best candidate from its neighbors
+  bool is_refined_by_moves = false;
+
   /// maps for choices of four corners of their own, concurrently, and returns their objectives: positions in the border
   /// loop of the vertices at (0,0), (1,0), (1,1), (0,1), distinct and in counter-clockwise order. The best of them is
   /// delivered when no candidate is as good.

@@ -207,6 +207,7 @@ private:
     problem.objective_from_neighbors = [this](const std::vector<int>& candidates) {
       return m_evaluation(candidates, true);
     };
+    problem.is_refined_by_moves = m_options.moves_corners && m_corners.has_sketches();
     problem.objective_of_corners = [this](const std::vector<Corners>& choices) { return m_corners.map(choices); };
     if(m_corners.has_rough_maps())
       problem.rough_objective_of_corners = [this](const std::vector<Corners>& choices) {

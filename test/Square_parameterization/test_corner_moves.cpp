@@ -116,34 +116,46 @@ TEST_CASE("corners are moved by small steps where large ones tell of a lower pla
     CHECK(move(square(factor), square(factor)).evaluations <= once);
 }
 
-TEST_CASE("corners move by no fewer vertices than the border of the coarse patch has edges for")
+TEST_CASE("corners move by at least as many vertices as an edge of the coarse border stands for")
 {
   const Patch patch = make_patch_of(long_strip(2000));
   const auto minimizer = make_minimizer(patch, Balanced_minimization());
   Corner_evaluation maps(*minimizer, Coarse_maps::ROUGH, patch, nullptr, [] { return true; });
-  const std::size_t coarse_border = minimizer->coarse_patch(Coarse_maps::ROUGH).border.size();
-  REQUIRE(maps.least_step() > 1);
-  CHECK(maps.least_step() == int(patch.border.size() / coarse_border));
+  const int step = maps.least_step();
+  REQUIRE(step >= 8);
+  const Corners corners{100, 1100, 2100, 3100};
+  const double objective = maps({corners})[0];
+  const auto is_the_same = [&](int first) { // by the map of its own for the first corner
+    return maps({{first, 1100, 2100, 3100}})[0] == Approx(objective).epsilon(1e-9);
+  };
+  CHECK(is_the_same(101));
+  CHECK_FALSE(is_the_same(100 + 3 * step));
 
   const int size = 4000, least_step = 10;
-  const Corners start{500, 1500, 2500, 3500};
-  std::set<int> steps; // of the first corner from where it was
-  const auto distances = [&](const std::vector<Corners>& choices, const Corner_choice* near) {
-    std::vector<double> objectives;
-    for(const Corners& corners : choices) {
-      if(near != nullptr)
-        steps.insert(std::abs(corners[0] - near->corners[0]));
-      objectives.push_back(1 + 1e-6 * std::pow(corners[0] - 777., 2));
-    }
-    return objectives;
-  };
   for(const auto effort : {Corner_moves::ALL, Corner_moves::LIKELY}) {
+    std::set<int> steps; // of the first corner from where it was
+    const auto distances = [&](const std::vector<Corners>& choices, const Corner_choice* near) {
+      std::vector<double> objectives;
+      for(const Corners& choice : choices) {
+        if(near != nullptr)
+          steps.insert(std::abs(choice[0] - near->corners[0]));
+        objectives.push_back(1 + 1e-6 * std::pow(choice[0] - 777., 2));
+      }
+      return objectives;
+    };
     Corner_moves moves(std::vector<double>(size, 1.), distances, {}, least_step);
-    const Corner_choice end = moves.descend(start, 512, effort);
-    CHECK(std::abs(end.corners[0] - 777) <= least_step);
+    const Corners end = moves.descend({500, 1500, 2500, 3500}, 512, effort).corners;
+    CHECK(std::abs(end[0] - 777) <= 16);
+    steps.erase(0);
+    CHECK(*steps.begin() == 16); // 512, halved
+    const std::size_t evaluations = moves.evaluations();
+    moves.compare({{end[0], end[1], end[2] + 16, end[3]}, {end[0], end[1] - 16, end[2], end[3]}});
+    CHECK(moves.evaluations() == evaluations); // all moves are tried at last
+
+    Corner_moves rough(std::vector<double>(size, 1.), distances, {}, least_step);
+    for(int first_step : {1, 512})
+      CHECK(std::abs(moves.descend_where_likely({760, 1500, 2500, 3500}, first_step, rough).corners[0] - 777) <= 10);
   }
-  steps.erase(0);
-  CHECK(*steps.begin() == 16); // 512, halved
 }
 
 TEST_CASE("rough maps are made of a patch that gets no coarser than a hundred handles let it")

@@ -14,6 +14,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -187,8 +189,30 @@ TEST_CASE("bracketing closes in but once where corners move afterwards, and refi
   CHECK(sketches == 32);
   CHECK(std::abs(settled - 100.3) <= n / 64.); // half of the distance of even ones
   problem.is_refined_by_moves = false;
+  sketches = 0;
   Bracketing_corner_search()(problem);
   CHECK(settled == 100);
+  CHECK(sketches > 32);
+}
+
+TEST_CASE("bracketing goes on where corners move afterwards while no candidate has a map from which they do")
+{
+  const int n = 655;
+  for(double elsewhere : {std::numeric_limits<double>::infinity(), 1e7}) {
+    std::set<int> maps;
+    Corner_search_problem problem;
+    problem.number_of_candidates = n;
+    problem.objective_of = [&](const std::vector<int>& batch) {
+      maps.insert(batch.begin(), batch.end());
+      return std::vector<double>(batch.size(), elsewhere);
+    };
+    Bracketing_corner_search()(problem);
+    const std::set<int> all = std::exchange(maps, {});
+    REQUIRE(all.size() > 7);
+    problem.is_refined_by_moves = true;
+    Bracketing_corner_search()(problem);
+    CHECK(maps == all);
+  }
 }
 
 TEST_CASE("bracketing finds the bottom of smooth valleys within its bound, and of the deeper of two")

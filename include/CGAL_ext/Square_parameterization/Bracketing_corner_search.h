@@ -28,8 +28,9 @@ namespace CGAL_ext {
 /// then about as many between the best of them and its neighbors, and so on. It settles for the candidate with the best
 /// sketch, which is the only one that is mapped.
 ///
-/// Where the corners move afterwards (`Corner_search_problem::is_refined_by_moves`), it closes in but once, and sketches the
-/// even samples alone: the neighbors of the best candidate are told apart by the moves.
+/// Where the corners move afterwards (`Corner_search_problem::is_refined_by_moves`), it closes in but once, or until a
+/// candidate has a map that is not hopeless, and sketches the even samples alone: the neighbors of the best candidate are
+/// told apart by the moves.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
@@ -37,9 +38,9 @@ namespace CGAL_ext {
 /// map costs as much as those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of
 /// times, or a hundred times and costs as much as twelve.
 ///
-/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates, and about 32 sketches for each factor
-/// of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the samples, as the
-/// balanced energy is on most meshes.
+/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates; 32 sketches, or, where corners stay, about
+/// 32 for each factor of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the
+/// samples, as the balanced energy is on most meshes, or, where corners move afterwards, a candidate near it.
 /// \cgalModels `CornerSearch`
 class Bracketing_corner_search
 {
@@ -142,8 +143,8 @@ private:
     return work * m_samples > most ? static_cast<int>(most / work) : m_samples;
   }
 
-  /// samples valley by valley: the lowest one once where corners move afterwards, without which surfaces with fins and nails
-  /// are stretched up to 3 % more
+  /// samples valley by valley; where corners move afterwards but once, if a candidate has a map from which they do. Not at all:
+  /// surfaces with fins and nails are stretched up to 3 % more.
   static void close_in(Samples& samples)
   {
     bool goes_on = true;
@@ -152,7 +153,8 @@ private:
       if(!valley && !has_several_valleys(samples.ring))
         break;
       samples.evaluate(valley ? next_samples(*valley, samples.ring) : middle_of_largest_gap(samples.ring));
-      goes_on = !samples.problem.is_refined_by_moves;
+      const double best = samples.ring.objective(samples.ring.best());
+      goes_on = !(samples.problem.is_refined_by_moves && best < internal::Minimizer_numbers::HOPELESS_RESULT);
     }
   }
 

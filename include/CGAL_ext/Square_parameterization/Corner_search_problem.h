@@ -43,10 +43,6 @@ struct Corner_search_problem
   /// where there are none.
   std::function<void(int)> settle_for;
 
-  /// indicates whether the corners move from those of the best candidate when the search has ended, and are told apart well
-  /// there: it need not tell the best candidate from its neighbors
-  bool is_refined_by_moves = false;
-
   /// maps for choices of four corners of their own, concurrently, and returns their objectives: positions in the border
   /// loop of the vertices at (0,0), (1,0), (1,1), (0,1), distinct and in counter-clockwise order. The best of them is
   /// delivered when no candidate is as good.
@@ -74,6 +70,11 @@ struct Corner_search_problem
   /// the distance of every border vertex from the nearest corner if the given candidate were mapped, in half sides: 0
   /// at a corner, 1 in the middle of a side. Nothing is mapped: linear in the number of border vertices.
   std::function<std::vector<double>(int)> corner_distances;
+
+  /// indicates whether the corners are to move from those of the best candidate when the search has ended, by maps that tell
+  /// near corners apart: a strategy need not tell the best candidate from its neighbors. Where maps prove slow or hopeless
+  /// the corners stay all the same.
+  bool is_refined_by_moves = false;
 };
 
 /// \ingroup PkgSquareParameterizationSearches

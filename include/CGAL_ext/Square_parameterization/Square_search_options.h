@@ -32,8 +32,8 @@ struct Square_search_options
 
   /// whether after the search the four corners move on their own, all together, in pairs and alone, as long as that
   /// lowers the energy of a coarse map. A rectangle that is not the square is also sought from other shares of the sides
-  /// than quarters. The best of what comes out and of the candidates is delivered; the strategy and its curve stay as
-  /// they are. Not where maps take so long that they are compared far from their minima. Has an effect with `Balanced_minimization`
+  /// than quarters. The best of what comes out and of the candidates is delivered; the curve tells of candidates
+  /// alone, of which a strategy may map fewer then. Not where maps take so long that they are compared far from their minima. Has an effect with `Balanced_minimization`
   /// alone.
   bool moves_corners = true;
 

@@ -59,7 +59,7 @@ public:
   /// \pre `has_coarse_maps()`
   virtual Comparing_worker make_comparing_worker(Coarse_maps kind) const = 0;
 
-  /// the coarse patch that is mapped, which may be the patch itself: where that is small, or cannot be made coarser.
+  /// the patch that such a worker maps: the very patch of the minimizer where that is small, or cannot be made coarser.
   /// \pre `has_coarse_maps()`
   virtual const Patch& coarse_patch(Coarse_maps kind) const = 0;
 

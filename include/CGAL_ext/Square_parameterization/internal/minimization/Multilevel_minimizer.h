@@ -66,7 +66,7 @@ public:
            Minimizer_numbers::LEAST_SKETCH_RATIO * sketched <= vertices;
   }
 
-  /// the patch that is mapped to compare borders, which may be the patch itself
+  /// the patch that is mapped to compare borders: the very one that was given where it is small, or cannot be made coarser
   const Patch& coarse_patch(Coarse_maps kind) const { return patches()[level_of(kind)]; }
 
   /// the least energy of one of the patches for the border \p border_uv, by which borders can be compared: what
@@ -110,7 +110,7 @@ private:
                              const Uv_coordinates& border_uv, Workspace& workspace) const;
 
   /// the level of a warm start, of which its size tells: each patch is smaller than the one before it
-  std::optional<std::size_t> level_of(const Uv_coordinates& warm_start) const
+  std::optional<std::size_t> level_of_warm_start(const Uv_coordinates& warm_start) const
   {
     for(const std::size_t level : m_levels->carried_over())
       if(patches()[level].number_of_vertices() == warm_start.rows())

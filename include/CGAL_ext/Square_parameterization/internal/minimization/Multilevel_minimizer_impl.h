@@ -46,7 +46,7 @@ CGAL_EXT_INLINE_FUNCTION Minimized_map Multilevel_minimizer::minimize(const Uv_c
   const Patch_sequence::Borders borders = patches().borders(border_uv);
   Coarse_to_fine_descent descent(*m_levels, m_first_maps, borders, workspace, work_before);
   Uv_coordinates uv;
-  if(const std::optional<std::size_t> level = warm_start != nullptr ? level_of(*warm_start) : std::nullopt;
+  if(const std::optional<std::size_t> level = warm_start != nullptr ? level_of_warm_start(*warm_start) : std::nullopt;
      level && *level < borders.size())
     uv = descent.refine(*level, 0, transport(*level, *warm_start, borders[*level].uv, workspace));
   if(uv.rows() == 0)

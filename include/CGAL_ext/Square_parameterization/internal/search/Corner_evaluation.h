@@ -66,8 +66,8 @@ public:
     m_least_step = (std::max)(1, static_cast<int>(patch.border.size() / coarse_border));
   }
 
-  /// edges of the border by which corners differ, at least, for their maps to: those of a coarse patch with less border are
-  /// the same for corners that are nearer
+  /// the number of border edges that an edge of the coarse border stands for, in the mean, rounded down; 1 on the patch
+  /// itself. Corners that are nearer mostly have the same coarse map.
   int least_step() const { return m_least_step; }
 
   /// the objectives of choices, which are positions in the border loop, in their order; infinite for one without a map.

@@ -42,7 +42,7 @@ public:
 
   /// \param lengths #B, edge k joins border vertices k and k + 1
   /// \param is_exhausted asked before each step: `true` leaves the corners where they are. May be empty.
-  /// \param least_step no step is shorter, in border vertices
+  /// \param least_step in border vertices; no step is shorter
   Corner_moves(std::vector<double> lengths, Objective_of objective_of, std::function<bool()> is_exhausted = {},
                int least_step = 1)
     : m_lengths(std::move(lengths)),
@@ -85,7 +85,7 @@ public:
   };
 
   /// moves corners downhill
-  /// \param first_step in border vertices
+  /// \param first_step in border vertices; the least step where that is longer
   Choice descend(Corners corners, int first_step, Effort effort = ALL)
   {
     Choice best = compare({corners}).front();

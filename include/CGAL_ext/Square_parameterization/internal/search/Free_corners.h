@@ -57,7 +57,7 @@ public:
   bool has_rough_maps() const { return m_rough_maps.has_value(); }
 
   /// indicates whether corners move on sketches at last, which tell them apart better than rough maps
-  bool has_sketches() const { return m_sketches.has_value(); }
+  bool move_on_sketches() const { return m_sketches.has_value(); }
 
   const Minimized_map& best_map() const { return m_maps.best_map(); }
   const Corners& best_corners() const { return m_maps.best_corners(); }
@@ -147,7 +147,7 @@ private:
   }
 
   /// indicates whether rough maps may know of a better valley than that of the best candidate: not where candidates were
-  /// compared on sketches, or the rough maps are those of the patch itself
+  /// compared on sketches, where the rough maps are those of the patch itself, and on small patches
   bool has_other_valleys() const
   {
     return !m_has_sketched_candidates && !m_has_first_moves_on_patch &&

@@ -131,7 +131,7 @@ private:
     if(has_map())
       return;
     m_settled_for.reset();
-    ask(without_sketches(problem()));
+    ask(without_sketches_and_moves(problem()));
   }
 
   /// moves the corners from those of the best candidate; false when it may still be better than what comes out
@@ -207,7 +207,7 @@ private:
     problem.objective_from_neighbors = [this](const std::vector<int>& candidates) {
       return m_evaluation(candidates, true);
     };
-    problem.is_refined_by_moves = m_options.moves_corners && m_corners.has_sketches();
+    problem.is_refined_by_moves = m_options.moves_corners && m_corners.move_on_sketches();
     problem.objective_of_corners = [this](const std::vector<Corners>& choices) { return m_corners.map(choices); };
     if(m_corners.has_rough_maps())
       problem.rough_objective_of_corners = [this](const std::vector<Corners>& choices) {
@@ -229,10 +229,11 @@ private:
     return problem;
   }
 
-  static Corner_search_problem without_sketches(Corner_search_problem problem)
+  static Corner_search_problem without_sketches_and_moves(Corner_search_problem problem)
   {
     problem.sketched_objective_of = {};
     problem.settle_for = {};
+    problem.is_refined_by_moves = false;
     return problem;
   }
 

@@ -198,13 +198,16 @@ TEST_CASE("bracketing closes in but once where corners move afterwards, and refi
 TEST_CASE("bracketing goes on where corners move afterwards while no candidate has a map from which they do")
 {
   const int n = 655;
-  for(double elsewhere : {std::numeric_limits<double>::infinity(), 1e7}) {
+  for(double least : {std::numeric_limits<double>::infinity(), 1e7}) {
     std::set<int> maps;
     Corner_search_problem problem;
     problem.number_of_candidates = n;
     problem.objective_of = [&](const std::vector<int>& batch) {
       maps.insert(batch.begin(), batch.end());
-      return std::vector<double>(batch.size(), elsewhere);
+      std::vector<double> objectives;
+      for(int k : batch)
+        objectives.push_back(least * (2 - std::cos(2 * PI * (k - 100.3) / n)));
+      return objectives;
     };
     Bracketing_corner_search()(problem);
     const std::set<int> all = std::exchange(maps, {});

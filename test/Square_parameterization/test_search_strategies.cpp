@@ -195,6 +195,35 @@ TEST_CASE("bracketing closes in but once where corners move afterwards, and refi
   CHECK(sketches > 32);
 }
 
+TEST_CASE("bracketing maps the candidate that is best by rough maps, and others where its map is hopeless")
+{
+  const int n = 655;
+  const auto distance = [](int k) { return std::abs((k + n - 327) % n - n / 2.); };
+  for(double objective : {2.7, 1e7}) {
+    std::vector<int> maps;
+    int rough = 0;
+    Corner_search_problem problem;
+    problem.number_of_candidates = n;
+    problem.is_refined_by_moves = true;
+    problem.objective_of = [&](const std::vector<int>& batch) {
+      maps.insert(maps.end(), batch.begin(), batch.end());
+      return std::vector<double>(batch.size(), objective);
+    };
+    problem.rough_objective_of = [&](const std::vector<int>& batch) {
+      std::vector<double> objectives;
+      for(int k : batch)
+        objectives.push_back(3 + std::abs(distance(k) - 40));
+      rough += int(batch.size());
+      return objectives;
+    };
+    Bracketing_corner_search()(problem);
+    CHECK(rough == 32);
+    REQUIRE_FALSE(maps.empty());
+    CHECK(std::abs(distance(maps[0]) - 40) <= n / 64. + 1);
+    CHECK((maps.size() > 1) == (objective > 1e6));
+  }
+}
+
 TEST_CASE("bracketing goes on where corners move afterwards while no candidate has a map from which they do")
 {
   const int n = 655;

@@ -194,6 +194,36 @@ TEST_CASE("a search over a large patch makes sketches, and the same for any numb
   CHECK(three.report.sketches == one.report.sketches);
 }
 
+TEST_CASE("a search over a patch of a few thousand vertices maps one candidate, the best of rough maps, and moves its "
+          "corners "
+          "as low as if many were mapped")
+{
+  struct All_candidates // of which 32 are mapped
+  {
+    Candidate_set candidate_set() const { return Candidate_set::QUARTER; }
+    void operator()(const Corner_search_problem& problem) const
+    {
+      std::vector<int> even;
+      for(int i = 0; i < 32; ++i)
+        even.push_back(i * problem.number_of_candidates / 32);
+      problem.objective_of(even);
+    }
+  };
+  for(unsigned int seed : {3u, 5u}) {
+    const Patch patch = make_patch_of(noisy_height_field(48, seed));
+    const auto minimizer = make_minimizer(patch, Balanced_minimization());
+    Square_search_options options;
+    options.number_of_threads = 1;
+    const Search_outcome one = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
+    CHECK(one.report.evaluations == 1);
+    CHECK(one.report.sketches == 32);
+    CHECK(one.map.report.objective <=
+          1.001 * search_square_map(patch, *minimizer, All_candidates(), options).map.report.objective);
+    options.number_of_threads = 3;
+    CHECK(search_square_map(patch, *minimizer, Bracketing_corner_search(), options).map.uv == one.map.uv);
+  }
+}
+
 TEST_CASE("a search that has no team has as many threads as its options say")
 {
   const Patch patch = make_patch_of(unit_square(6));

@@ -28,9 +28,10 @@ namespace CGAL_ext {
 /// then about as many between the best of them and its neighbors, and so on. It settles for the candidate with the best
 /// sketch, which is the only one that is mapped.
 ///
-/// Where the corners move afterwards (`Corner_search_problem::is_refined_by_moves`), it closes in but once, or until a
-/// candidate has a map that is not hopeless, and sketches the even samples alone: the neighbors of the best candidate are
-/// told apart by the moves.
+/// Where the corners move afterwards (`Corner_search_problem::is_refined_by_moves`) the neighbors of the best candidate are
+/// told apart by the moves: it closes in but once, or until a candidate has a map that is not hopeless, and sketches the even
+/// samples alone. Of these the one that is best by rough maps is the only one that is mapped, where there are such maps, as
+/// for meshes of more than 2000 vertices.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
@@ -63,9 +64,11 @@ public:
       problem.settle_for(*sketched);
       return;
     }
+    const int first = problem.rough_objective_of ? best_rough_candidate(problem) : 0;
+    const double work_before = problem.work ? problem.work() : 0;
     Samples samples(problem);
-    samples.evaluate({0});
-    if(is_first_too_costly(problem))
+    samples.evaluate({first});
+    if(is_first_too_costly(problem, work_before) || (problem.rough_objective_of && samples.are_corners_to_move()))
       return;
     const std::vector<int> even = samples.ring.even_candidates(affordable_samples(samples));
     samples.evaluate({even.begin(), even.end()});
@@ -73,11 +76,13 @@ public:
   }
 
 private:
-  /// indicates whether the first candidate alone, whose work is known by now, took so long that no other is to be mapped
-  static bool is_first_too_costly(const Corner_search_problem& problem)
+  static constexpr int SAMPLES = 32; // even ones by coarse maps, and round the best of them
+
+  /// indicates whether the first map alone, whose work is known by now, took so long that no other is to be made
+  static bool is_first_too_costly(const Corner_search_problem& problem, double work_before)
   {
     const double share = (std::min)(1., double(problem.number_of_vertices) / internal::LEAST_VERTICES_OF_COSTLY_MAP);
-    return problem.work && share * problem.work() > internal::MOST_WORK_OF_FIRST_MAP;
+    return problem.work && share * (problem.work() - work_before) > internal::MOST_WORK_OF_FIRST_MAP;
   }
 
   /// indicates whether the first sketch, whose work is known by now, tells that all are stretched beyond comparison
@@ -128,6 +133,12 @@ private:
 
     bool are_all() const { return ring.number_of_known() == (std::min)(bound, ring.size()) || is_exhausted(); }
 
+    /// indicates whether corners move from the best candidate after the search
+    bool are_corners_to_move() const
+    {
+      return problem.is_refined_by_moves && ring.objective(ring.best()) < internal::Minimizer_numbers::HOPELESS_RESULT;
+    }
+
     bool is_exhausted() const { return ring.number_of_known() > 0 && has_cost_too_much(problem, ring); }
 
     const Corner_search_problem& problem;
@@ -153,26 +164,39 @@ private:
       if(!valley && !has_several_valleys(samples.ring))
         break;
       samples.evaluate(valley ? next_samples(*valley, samples.ring) : middle_of_largest_gap(samples.ring));
-      const double best = samples.ring.objective(samples.ring.best());
-      goes_on = !(samples.problem.is_refined_by_moves && best < internal::Minimizer_numbers::HOPELESS_RESULT);
+      goes_on = !samples.are_corners_to_move();
     }
+  }
+
+  /// the best of even samples by rough maps; the first when none has one
+  static int best_rough_candidate(const Corner_search_problem& problem)
+  {
+    internal::Candidate_ring ring(problem, problem.rough_objective_of);
+    ring.evaluate({0}); // the others start from it
+    sample_evenly(problem, ring);
+    return ring.best();
+  }
+
+  /// evaluates even candidates, ever more of them, each from one of those before. \pre the first is known
+  static void sample_evenly(const Corner_search_problem& problem, internal::Candidate_ring& ring)
+  {
+    constexpr int FIRST_SAMPLES = 4;
+    for(int samples = FIRST_SAMPLES; samples <= SAMPLES; samples *= 2)
+      if(!has_cost_too_much(problem, ring))
+        ring.evaluate(ring.even_candidates(samples));
   }
 
   /// the best candidate of a coarser mesh: of even samples, and ever finer ones round the best; none when there is no
   /// such mesh or it has no map
   static std::optional<int> best_sketch(const Corner_search_problem& problem)
   {
-    constexpr int FIRST_SAMPLES = 4, SAMPLES = 32;
     if(!problem.sketched_objective_of)
       return {};
-    internal::Candidate_ring ring(problem);
-    ring.compare_sketches();
+    internal::Candidate_ring ring(problem, problem.sketched_objective_of);
     ring.evaluate({0}); // the others start from it
     if(is_first_sketch_lost(problem, ring.objective(0)))
       return 0;
-    for(int samples = FIRST_SAMPLES; samples <= SAMPLES; samples *= 2) // each from one of those before
-      if(!has_cost_too_much(problem, ring))
-        ring.evaluate(ring.even_candidates(samples));
+    sample_evenly(problem, ring);
     if(!std::isfinite(ring.objective(ring.best())))
       return {};
     if(problem.is_refined_by_moves)

@@ -38,6 +38,10 @@ struct Corner_search_problem
   /// vertices, and when the minimizer has no coarser meshes.
   std::function<std::vector<double>(const std::vector<int>&)> sketched_objective_of;
 
+  /// the same on a mesh of a few hundred vertices: a small fraction of the cost, to choose the candidate from which the corners
+  /// move. Empty unless they move on a finer coarse mesh afterwards (`is_refined_by_moves`), and where there are sketches.
+  std::function<std::vector<double>(const std::vector<int>&)> rough_objective_of;
+
   /// names the candidate that a strategy settles for by sketches alone. It is mapped after the search, with its own
   /// corners or with those to which they move; when it has no map, the strategy is asked again, without sketches. Empty
   /// where there are none.

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <CGAL_ext/Square_parameterization/internal/common/disable_warnings.h>
@@ -21,8 +23,13 @@ namespace internal {
 class Candidate_ring
 {
 public:
-  explicit Candidate_ring(const Corner_search_problem& problem)
-    : m_problem(problem), m_objective_of(problem.objective_of)
+  typedef std::function<std::vector<double>(const std::vector<int>&)> Objective_of;
+
+  explicit Candidate_ring(const Corner_search_problem& problem) : Candidate_ring(problem, problem.objective_of) {}
+
+  /// \param objective_of by which candidates are compared, one of the problem
+  Candidate_ring(const Corner_search_problem& problem, Objective_of objective_of)
+    : m_problem(problem), m_objective_of(std::move(objective_of))
   {}
 
   /// from now on maps start from their neighbors where that is possible
@@ -31,9 +38,6 @@ public:
     if(m_problem.objective_from_neighbors)
       m_objective_of = m_problem.objective_from_neighbors;
   }
-
-  /// from now on candidates are compared on a coarser mesh. \pre there is one, and no candidate is known
-  void compare_sketches() { m_objective_of = m_problem.sketched_objective_of; }
 
   int size() const { return m_problem.number_of_candidates; }
 
@@ -104,7 +108,7 @@ public:
 
 private:
   const Corner_search_problem& m_problem;
-  std::function<std::vector<double>(const std::vector<int>&)> m_objective_of;
+  Objective_of m_objective_of;
   std::map<int, double> m_objective;
   int m_best = -1;
 };

@@ -36,6 +36,10 @@ public:
       m_has_first_moves_on_patch(minimizer.has_coarse_maps() &&
                                  &minimizer.coarse_patch(Coarse_maps::FIRST_MOVES) == &patch),
       m_has_sketched_candidates(minimizer.has_sketches()),
+      m_has_cheap_rough_maps(minimizer.has_coarse_maps() &&
+                             Minimizer_numbers::LEAST_SKETCH_RATIO *
+                                     minimizer.coarse_patch(Coarse_maps::FIRST_MOVES).number_of_vertices() <=
+                                 patch.number_of_vertices()),
       m_maps([&minimizer] { return Map_minimizer::without_limit(minimizer.make_worker()); }, patch, visitor, may_map,
              most_maps_at_once(patch.number_of_vertices()))
   {
@@ -58,6 +62,9 @@ public:
 
   /// indicates whether corners move on sketches at last, which tell them apart better than rough maps
   bool move_on_sketches() const { return m_sketches.has_value(); }
+
+  /// indicates whether a rough map costs a small part of one of the patch
+  bool has_cheap_rough_maps() const { return m_has_cheap_rough_maps; }
 
   const Minimized_map& best_map() const { return m_maps.best_map(); }
   const Corners& best_corners() const { return m_maps.best_corners(); }
@@ -91,13 +98,14 @@ public:
   /// then on sketches, if there are some, and maps for what comes out. False when the given ones are to be mapped, too, since
   /// they may still be better, and that does not cost too much; and where they have no rough map to compare with, or a step
   /// would cost too much.
-  /// \param sketch of the given ones; may be null
+  /// \param sketch of the given ones, or where candidates are not compared on sketches their rough map; may be null
   bool move(const Corners& start, const Uv_coordinates* sketch)
   {
     try {
       double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
       const auto is_exhausted = [this, &most_work] { return work_of_rough_maps() > most_work; };
-      Corner_moves moves = moves_by_maps(m_patch, *m_rough_maps, is_exhausted);
+      Corner_moves moves =
+          moves_by_maps(m_patch, *m_rough_maps, is_exhausted, m_has_sketched_candidates ? nullptr : sketch);
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;
@@ -105,7 +113,8 @@ public:
       if(is_exhausted())
         return false;
       std::vector<Corners> ends = ends_of_moves(start, is_square, is_exhausted, moves);
-      const bool is_certain = m_sketches && keep_best_sketch(start, sketch, most_work, moves, ends);
+      const bool is_certain =
+          m_sketches && keep_best_sketch(start, m_has_sketched_candidates ? sketch : nullptr, most_work, moves, ends);
       const long work_before = m_maps.work();
       map_ends(ends);
       const double sweeps = double(m_maps.work() - work_before) / m_patch.number_of_vertices();
@@ -207,6 +216,7 @@ private:
   const Patch& m_patch;
   const bool m_has_first_moves_on_patch;
   const bool m_has_sketched_candidates;
+  const bool m_has_cheap_rough_maps;
   Corner_evaluation m_maps;
   std::optional<Corner_evaluation> m_sketches, m_rough_maps;
   bool m_is_cancelled = false;

@@ -66,10 +66,10 @@ public:
           [this] { return may_continue(1, has_map() ? m_options.deadline : m_sketch_deadline); })
   {
     m_sketch_visitor.visitor = options.visitor;
-    if(minimizer.has_sketches())
+    if(const std::optional<Coarse_maps> kind = kind_of_sketches())
       m_sketches.emplace(
           m_number_of_candidates,
-          [this] { return for_candidates(below_limit(m_minimizer.make_comparing_worker(Coarse_maps::SKETCHES))); },
+          [this, kind] { return for_candidates(below_limit(m_minimizer.make_comparing_worker(*kind))); },
           &m_sketch_visitor, [this](double) { return may_continue(0, m_sketch_deadline); });
   }
 
@@ -108,6 +108,22 @@ private:
     return !has_passed(deadline) && (!m_options.callback || m_options.callback(share));
   }
 
+  /// the coarse maps by which candidates are compared: rough ones where corners move on sketches afterwards, but the patch is
+  /// not so large that candidates are compared by these
+  std::optional<Coarse_maps> kind_of_sketches() const
+  {
+    if(m_minimizer.has_sketches())
+      return Coarse_maps::SKETCHES;
+    const bool is_large = m_patch.number_of_vertices() > Minimizer_numbers::LARGEST_SKETCH;
+    return is_large && is_refined_by_moves() && m_corners.has_cheap_rough_maps()
+               ? std::optional(Coarse_maps::FIRST_MOVES)
+               : std::nullopt;
+  }
+
+  bool has_rough_sketches() const { return m_sketches && !m_minimizer.has_sketches(); }
+
+  bool is_refined_by_moves() const { return m_options.moves_corners && m_corners.move_on_sketches(); }
+
   bool has_map() const { return m_evaluation.best_map().uv.rows() > 0 || m_corners.best_map().uv.rows() > 0; }
 
   void ask(Corner_search_problem problem)
@@ -145,9 +161,18 @@ private:
       return false; // rough maps of such a surface tell nothing
     if(!m_settled_for && m_corners.is_too_costly(m_evaluation.best_map()))
       return false;
-    const std::size_t maps = report.evaluations + (m_sketches ? m_sketches->report().evaluations : 0);
-    return work() <= MOST_WORK_TO_MOVE * double(maps) &&
+    return !is_too_slow_to_move(report.evaluations) &&
            m_corners.move(border_of(*candidate).corners, sketch_of(*candidate));
+  }
+
+  /// indicates whether maps, and sketches by which candidates are compared in their place, cost too much for corners to move
+  bool is_too_slow_to_move(std::size_t evaluations) const
+  {
+    if(!has_rough_sketches())
+      return work() > MOST_WORK_TO_MOVE * double(evaluations + (m_sketches ? m_sketches->report().evaluations : 0));
+    // the one map, most of the time; those of small meshes are soon made
+    const int vertices = (std::max)(m_patch.number_of_vertices(), LEAST_VERTICES_OF_COSTLY_MAP);
+    return double(m_evaluation.work()) > MOST_WORK_TO_MOVE * double(evaluations) * vertices;
   }
 
   /// null when there is none
@@ -205,15 +230,20 @@ private:
     problem.border_lengths = m_patch.border_lengths;
     problem.objective_of = [this](const std::vector<int>& candidates) { return m_evaluation(candidates); };
     problem.objective_from_neighbors = [this](const std::vector<int>& candidates) {
+      for(int candidate : candidates)
+        if(has_rough_sketches() && sketch_of(candidate) != nullptr)
+          m_evaluation.set_warm_start(candidate, *sketch_of(candidate));
       return m_evaluation(candidates, true);
     };
-    problem.is_refined_by_moves = m_options.moves_corners && m_corners.move_on_sketches();
+    problem.is_refined_by_moves = is_refined_by_moves();
     problem.objective_of_corners = [this](const std::vector<Corners>& choices) { return m_corners.map(choices); };
     if(m_corners.has_rough_maps())
       problem.rough_objective_of_corners = [this](const std::vector<Corners>& choices) {
         return m_corners.map_roughly(choices);
       };
-    if(m_sketches) {
+    if(has_rough_sketches())
+      problem.rough_objective_of = [this](const std::vector<int>& candidates) { return sketch(candidates); };
+    else if(m_sketches) {
       problem.sketched_objective_of = [this](const std::vector<int>& candidates) { return sketch(candidates); };
       problem.settle_for = [this](int candidate) {
         check_candidate(candidate, m_number_of_candidates);

@@ -224,6 +224,28 @@ TEST_CASE("bracketing maps the candidate that is best by rough maps, and others 
   }
 }
 
+TEST_CASE("bracketing maps several candidates where none has a rough map, or the first map is slow")
+{
+  const int n = 655;
+  for(bool has_rough_maps : {true, false}) {
+    std::set<int> maps;
+    Corner_search_problem problem;
+    problem.number_of_candidates = n;
+    problem.number_of_vertices = 4000;
+    problem.is_refined_by_moves = true;
+    problem.work = [&] { return has_rough_maps ? 350. * double(maps.size()) : 0; };
+    problem.objective_of = [&](const std::vector<int>& batch) {
+      maps.insert(batch.begin(), batch.end());
+      return std::vector<double>(batch.size(), 2.7);
+    };
+    problem.rough_objective_of = [&](const std::vector<int>& batch) {
+      return std::vector<double>(batch.size(), has_rough_maps ? 3 : std::numeric_limits<double>::infinity());
+    };
+    Bracketing_corner_search()(problem);
+    CHECK(maps.size() == (has_rough_maps ? 4 : 7)); // with two on either side of the best
+  }
+}
+
 TEST_CASE("bracketing goes on where corners move afterwards while no candidate has a map from which they do")
 {
   const int n = 655;

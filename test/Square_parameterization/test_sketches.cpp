@@ -16,6 +16,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <set>
 
 using namespace CGAL_ext;
@@ -217,6 +218,11 @@ TEST_CASE("a search over a patch of a few thousand vertices maps one candidate, 
     const Search_outcome one = search_square_map(patch, *minimizer, Bracketing_corner_search(), options);
     CHECK(one.report.evaluations == 1);
     CHECK(one.report.sketches == 32);
+    const auto& curve = one.report.sketched_curve;
+    const auto best = std::min_element(curve.begin(), curve.end(),
+                                       [](const auto& a, const auto& b) { return a.objective < b.objective; });
+    CHECK(one.report.best_candidate == best->candidate);
+    CHECK(one.report.corner_moves > 1);
     CHECK(one.map.report.objective <=
           1.001 * search_square_map(patch, *minimizer, All_candidates(), options).map.report.objective);
     options.number_of_threads = 3;

@@ -39,8 +39,8 @@ namespace CGAL_ext {
 /// map costs as much as those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of
 /// times, or a hundred times and costs as much as twelve.
 ///
-/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates; 32 sketches, or, where corners stay, about
-/// 32 for each factor of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the
+/// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates; 32 sketches or rough maps, or, where corners stay, about
+/// 32 sketches for each factor of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the
 /// samples, as the balanced energy is on most meshes, or, where corners move afterwards, a candidate near it.
 /// \cgalModels `CornerSearch`
 class Bracketing_corner_search
@@ -64,11 +64,13 @@ public:
       problem.settle_for(*sketched);
       return;
     }
-    const int first = problem.rough_objective_of ? best_rough_candidate(problem) : 0;
-    const double work_before = problem.work ? problem.work() : 0;
+    const std::optional<int> rough = best_rough_candidate(problem);
     Samples samples(problem);
-    samples.evaluate({first});
-    if(is_first_too_costly(problem, work_before) || (problem.rough_objective_of && samples.are_corners_to_move()))
+    samples.evaluate({rough.value_or(0)});
+    const double work = samples.work_of_first();
+    if(work > internal::MOST_WORK_OF_FIRST_MAP)
+      return;
+    if(rough && work <= internal::MOST_WORK_TO_MOVE && samples.are_corners_to_move())
       return;
     const std::vector<int> even = samples.ring.even_candidates(affordable_samples(samples));
     samples.evaluate({even.begin(), even.end()});
@@ -77,13 +79,6 @@ public:
 
 private:
   static constexpr int SAMPLES = 32; // even ones by coarse maps, and round the best of them
-
-  /// indicates whether the first map alone, whose work is known by now, took so long that no other is to be made
-  static bool is_first_too_costly(const Corner_search_problem& problem, double work_before)
-  {
-    const double share = (std::min)(1., double(problem.number_of_vertices) / internal::LEAST_VERTICES_OF_COSTLY_MAP);
-    return problem.work && share * (problem.work() - work_before) > internal::MOST_WORK_OF_FIRST_MAP;
-  }
 
   /// indicates whether the first sketch, whose work is known by now, tells that all are stretched beyond comparison
   static bool is_first_sketch_lost(const Corner_search_problem& problem, double objective)
@@ -111,6 +106,7 @@ private:
     explicit Samples(const Corner_search_problem& problem_to_solve)
       : problem(problem_to_solve),
         ring(problem_to_solve),
+        work_before(problem_to_solve.work ? problem_to_solve.work() : 0),
         bound((std::max)(12, static_cast<int>(2 * std::log2(double(problem_to_solve.number_of_candidates))) + 4))
     {
       ring.start_from_neighbors();
@@ -141,15 +137,25 @@ private:
 
     bool is_exhausted() const { return ring.number_of_known() > 0 && has_cost_too_much(problem, ring); }
 
+    /// what maps have cost so far
+    double work() const { return problem.work ? problem.work() - work_before : 0; }
+
+    /// the same for the first one, of which those of small meshes are soon made. \pre no other is known
+    double work_of_first() const
+    {
+      return work() * (std::min)(1., double(problem.number_of_vertices) / internal::LEAST_VERTICES_OF_COSTLY_MAP);
+    }
+
     const Corner_search_problem& problem;
     internal::Candidate_ring ring;
+    double work_before; ///< of coarse maps
     int bound;
   };
 
   /// as many samples as the work for the first candidate allows, which is known by now
   int affordable_samples(const Samples& samples) const
   {
-    const double work = samples.problem.work ? samples.problem.work() : 0;
+    const double work = samples.work();
     const double most = most_work(samples.problem, samples.ring);
     return work * m_samples > most ? static_cast<int>(most / work) : m_samples;
   }
@@ -168,13 +174,15 @@ private:
     }
   }
 
-  /// the best of even samples by rough maps; the first when none has one
-  static int best_rough_candidate(const Corner_search_problem& problem)
+  /// the best of even samples by rough maps; none when there are no rough maps
+  static std::optional<int> best_rough_candidate(const Corner_search_problem& problem)
   {
+    if(!problem.rough_objective_of)
+      return {};
     internal::Candidate_ring ring(problem, problem.rough_objective_of);
     ring.evaluate({0}); // the others start from it
     sample_evenly(problem, ring);
-    return ring.best();
+    return std::isfinite(ring.objective(ring.best())) ? std::optional(ring.best()) : std::nullopt;
   }
 
   /// evaluates even candidates, ever more of them, each from one of those before. \pre the first is known

@@ -28,8 +28,8 @@ struct Corner_search_problem
   /// and the less the better.
   std::function<std::vector<double>(const std::vector<int>&)> objective_of;
 
-  /// as `objective_of`, but each map starts from that of the nearest candidate evaluated by an earlier call, where the
-  /// minimizer can: neighbors then end in the same local minimum. The objective of a candidate may depend, a little, on
+  /// as `objective_of`, but each map starts from its rough map, if it has one, or from that of the nearest candidate evaluated
+  /// by an earlier call, where the minimizer can: neighbors then end in the same local minimum. The objective of a candidate may depend, a little, on
   /// the calls before; not on the number of threads. May be empty.
   std::function<std::vector<double>(const std::vector<int>&)> objective_from_neighbors;
 
@@ -38,8 +38,9 @@ struct Corner_search_problem
   /// vertices, and when the minimizer has no coarser meshes.
   std::function<std::vector<double>(const std::vector<int>&)> sketched_objective_of;
 
-  /// the same on a mesh of a few hundred vertices: a small fraction of the cost, to choose the candidate from which the corners
-  /// move. Empty unless they move on a finer coarse mesh afterwards (`is_refined_by_moves`), and where there are sketches.
+  /// the same on a mesh of a few hundred vertices, at most a quarter of those of the whole one: a small fraction of the cost, to
+  /// choose the candidate from which the corners move. Empty unless they do (`is_refined_by_moves`), where there are sketches,
+  /// and for meshes of 2000 vertices or fewer.
   std::function<std::vector<double>(const std::vector<int>&)> rough_objective_of;
 
   /// names the candidate that a strategy settles for by sketches alone. It is mapped after the search, with its own
@@ -58,7 +59,7 @@ struct Corner_search_problem
 
   std::vector<double> border_lengths; ///< one per border edge: edge k joins vertices k and k + 1 of the loop
 
-  /// what all maps and sketches so far have cost, in sweeps over the mesh: an even surface takes about twenty for an
+  /// what all maps, sketches and rough maps of candidates so far have cost, in sweeps over the mesh: an even surface takes about twenty for an
   /// evaluation, one that is stretched tens of times hundreds. It does not depend on the number of threads nor on the speed
   /// of the machine; less is told of a search that is repeated since it found no map. Empty when the minimizer does not
   /// tell.

@@ -124,6 +124,9 @@ public:
   /// keeps what a map for this candidate, or one like it, is to start from
   void set_warm_start(int candidate, Uv_coordinates warm_start) { m_warm_starts[candidate] = std::move(warm_start); }
 
+  /// lets no map start from what was kept for this candidate
+  void forget_warm_start(int candidate) { m_warm_starts.erase(candidate); }
+
   /// what all maps together have cost, in vertices visited
   long work() const { return m_work; }
 

@@ -54,6 +54,9 @@ public:
   /// the choices that a step compares
   static std::size_t number_of_moves() { return all_moves().size(); }
 
+  /// takes over the objective of a choice that was evaluated otherwise
+  void add(const Choice& known) { m_known[known.corners] = known.objective; }
+
   /// the number of choices that were evaluated
   std::size_t evaluations() const { return m_known.size(); }
 

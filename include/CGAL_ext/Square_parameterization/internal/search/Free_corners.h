@@ -104,8 +104,9 @@ public:
     try {
       double most_work = std::numeric_limits<double>::infinity(); // until the map of the start tells the aspect
       const auto is_exhausted = [this, &most_work] { return work_of_rough_maps() > most_work; };
-      Corner_moves moves =
-          moves_by_maps(m_patch, *m_rough_maps, is_exhausted, m_has_sketched_candidates ? nullptr : sketch);
+      Corner_moves moves = moves_by_maps(m_patch, *m_rough_maps, is_exhausted);
+      const Uv_coordinates* const rough_map = m_has_sketched_candidates ? nullptr : sketch;
+      moves.add({start, (*m_rough_maps)({start}, {rough_map}).front()});
       if(!std::isfinite(moves.compare({start}).front().objective))
         return false;
       const bool is_square = m_rough_maps->best_map().aspect == 1;

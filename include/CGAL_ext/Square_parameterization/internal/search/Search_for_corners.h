@@ -17,6 +17,7 @@
 #include <CGAL_ext/Square_parameterization/internal/search/search_work.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -80,7 +81,7 @@ public:
     ask(problem());
     if(m_sketches)
       m_sketches->release_workers();
-    if(!has_map() && m_sketches && has_passed(m_sketch_deadline))
+    if(!has_map() && m_evaluation.is_untouched() && m_sketches && has_passed(m_sketch_deadline))
       m_settled_for = m_sketches->report().best_candidate; // the time for sketches ended before the search did
     const bool is_moved = move_corners();
     if(m_settled_for && !is_moved)
@@ -216,8 +217,23 @@ private:
   std::vector<double> sketch(const std::vector<int>& candidates)
   {
     constexpr double MARGIN = 5e-3; // by which a sketch may be told to stay above another one that it reaches
-    m_sketch_limit = (1 + MARGIN) * m_sketches->best_map().report.objective;
+    const Minimized_map& best = m_sketches->best_map();
+    const bool may_differ_in_aspect = has_rough_sketches() && best.aspect != 1; // such maps come down slowly
+    m_sketch_limit = may_differ_in_aspect ? Map_minimizer::NO_LIMIT : (1 + MARGIN) * best.report.objective;
     return (*m_sketches)(candidates, true);
+  }
+
+  /// maps candidates, each from its sketch, if it has one, else from its neighbors
+  std::vector<double> map_from_sketches(const std::vector<int>& candidates)
+  {
+    for(int candidate : candidates)
+      if(sketch_of(candidate) != nullptr && m_evaluation.warm_start(candidate) == nullptr)
+        m_evaluation.set_warm_start(candidate, *sketch_of(candidate));
+    const std::vector<double> objectives = m_evaluation(candidates, true);
+    for(std::size_t i = 0; i < candidates.size(); ++i)
+      if(!std::isfinite(objectives[i]))
+        m_evaluation.forget_warm_start(candidates[i]);
+    return objectives;
   }
 
   /// what the strategy sees
@@ -230,10 +246,7 @@ private:
     problem.border_lengths = m_patch.border_lengths;
     problem.objective_of = [this](const std::vector<int>& candidates) { return m_evaluation(candidates); };
     problem.objective_from_neighbors = [this](const std::vector<int>& candidates) {
-      for(int candidate : candidates)
-        if(has_rough_sketches() && sketch_of(candidate) != nullptr)
-          m_evaluation.set_warm_start(candidate, *sketch_of(candidate));
-      return m_evaluation(candidates, true);
+      return has_rough_sketches() ? map_from_sketches(candidates) : m_evaluation(candidates, true);
     };
     problem.is_refined_by_moves = is_refined_by_moves();
     problem.objective_of_corners = [this](const std::vector<Corners>& choices) { return m_corners.map(choices); };
@@ -263,6 +276,7 @@ private:
   {
     problem.sketched_objective_of = {};
     problem.settle_for = {};
+    problem.rough_objective_of = {};
     problem.is_refined_by_moves = false;
     return problem;
   }

@@ -38,7 +38,7 @@ constexpr int LEAST_VERTICES_OF_COSTLY_MAP = 2500;
 constexpr double MOST_WORK_OF_HOPELESS_SKETCH = 200;
 
 /// sweeps over the mesh that a map or sketch may cost, in the mean, for corners to move: those of fifteen candidates of an
-/// even surface. Maps that cost more are too far from their minima when they are compared to tell corners apart.
+/// even surface. Rough maps do not count. Maps that cost more are too far from their minima when they are compared to tell corners apart.
 constexpr double MOST_WORK_TO_MOVE = 300;
 
 /// vertices that a sweep over the mesh counts for, at most, where sketches are counted, which are as small on all large

@@ -104,6 +104,7 @@ const std::vector<Variation> variations{
     {"largest_refined_stretch", &Cut_numbers::largest_refined_stretch, 1, 1e6},
     {"largest_judged_stretch", &Cut_numbers::largest_judged_stretch, 1, 1e6},
     {"far_from_best", &Cut_numbers::far_from_best, 0, 1},
+    {"most_judged", &Cut_numbers::most_judged, 1, 10},
     {"lift_samples", &Cut_numbers::lift_samples, 1, 32},
     {"lift_band", &Cut_numbers::lift_band, 0.5, 8},
     {"near_best", &Cut_numbers::near_best, 0, 0.1},

@@ -7,6 +7,7 @@
 #include <CGAL_ext/Square_parameterization/Bracketing_corner_search.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/cut_to_disk.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/grow_cut.h>
+#include <CGAL_ext/Square_parameterization/internal/cut/judge_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/refine_cut.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/rerouted_initial_cuts.h>
 #include <CGAL_ext/Square_parameterization/internal/cut/search_cut.h>
@@ -185,6 +186,34 @@ TEST_CASE("the last few cuts are judged by a search of their corners, which move
       CHECK(decision.report.stretch <= 1.001 * searched);
       CHECK(decision.report.stretch > 0.99 * searched);
     }
+}
+
+TEST_CASE("no more cuts are judged than a few, the best by their scores")
+{
+  const Triangle_surface surface = surface_of(ellipsoid(3, 4));
+  const Cut first = decide(surface, shortest()).cut;
+  Cut_score_options options;
+  options.numbers.far_from_best = 100; // so that none is left out for its score
+  const double unjudged = 9, weight = 0.05;
+  std::vector<Scored_cut> cuts;
+  for(int i = 0; i < 6; ++i) {
+    Cut cut = first;
+    if(i > 0)
+      extend_cut(surface, i * surface.number_of_vertices() / 6, cut);
+    cuts.push_back({cut, Cut_step::INITIAL, -1});
+    cuts.back().score.length = double((i + 3) % 6); // the first is the fourth by its score
+    cuts.back().score.stretch = unjudged;
+  }
+  Cut_progress progress(nullptr);
+  judge_cuts(surface, weight, options, Thread_team::current(), progress, cuts);
+  REQUIRE(cuts.size() == 6);
+  int judged = 0;
+  for(const Scored_cut& cut : cuts) {
+    const bool is_judged = cut.score.stretch < unjudged;
+    CHECK(is_judged == (cut.score.length < 2.5));
+    judged += is_judged ? 1 : 0;
+  }
+  CHECK(judged == 3);
 }
 
 TEST_CASE("a cut is judged on the rectangle that is wanted")

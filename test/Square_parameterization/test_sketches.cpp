@@ -195,9 +195,9 @@ TEST_CASE("a search over a large patch makes sketches, and the same for any numb
   CHECK(three.report.sketches == one.report.sketches);
 }
 
-TEST_CASE("a search over a patch of a few thousand vertices maps one candidate, the best of rough maps, and moves its "
-          "corners "
-          "as low as if many were mapped")
+TEST_CASE(
+    "of a patch of a few thousand vertices one candidate is mapped, the best of rough maps, and its corners move as "
+    "low as if many were mapped")
 {
   struct All_candidates // of which 32 are mapped
   {

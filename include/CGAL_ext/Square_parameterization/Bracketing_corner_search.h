@@ -30,8 +30,8 @@ namespace CGAL_ext {
 ///
 /// Where the corners move afterwards (`Corner_search_problem::is_refined_by_moves`) the neighbors of the best candidate are
 /// told apart by the moves: it closes in but once, or until a candidate has a map that is not hopeless, and sketches the even
-/// samples alone. Of these the one that is best by rough maps is the only one that is mapped, where there are such maps, as
-/// for meshes of more than 2000 vertices.
+/// samples alone. Of these the one that is best by rough maps is the only one that is mapped, if its map is not hopeless, where
+/// there are such maps, as for meshes of more than 2000 vertices.
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
@@ -70,7 +70,7 @@ public:
     const double work = samples.work_of_first();
     if(work > internal::MOST_WORK_OF_FIRST_MAP)
       return;
-    if(rough && work <= internal::MOST_WORK_TO_MOVE && samples.are_corners_to_move())
+    if(rough && samples.are_corners_to_move())
       return;
     const std::vector<int> even = samples.ring.even_candidates(affordable_samples(samples));
     samples.evaluate({even.begin(), even.end()});

@@ -37,7 +37,7 @@ inline double stretch_with_searched_corners(const Triangle_surface& surface, con
   }
 }
 
-/// judges the best cut at a weight, and then those that come near it, by the stretch that they leave when their corners are
+/// judges the best cut at a weight, and then a few that come near it, by the stretch that they leave when their corners are
 /// searched: that of a few corners spread over the border is up to 3 % larger, for some cuts more than for others. A cut
 /// keeps its score where the search finds nothing better.
 inline void judge_cuts(const Triangle_surface& surface, double weight, const Cut_score_options& options,
@@ -48,11 +48,11 @@ inline void judge_cuts(const Triangle_surface& surface, double weight, const Cut
     if(stretch <= options.numbers.largest_judged_stretch)
       stretch = (std::min)(stretch, stretch_with_searched_corners(surface, cut.cut, options));
   };
-  Scored_cut& best = *std::min_element(cuts.begin(), cuts.end(), Is_better{weight});
-  judge(best);
-  const double far = (1 + options.numbers.far_from_best) * best.score.at(weight);
-  team(cuts.size(), [&](std::size_t i) {
-    if(&cuts[i] != &best && cuts[i].score.at(weight) <= far)
+  std::stable_sort(cuts.begin(), cuts.end(), Is_better{weight});
+  judge(cuts.front());
+  const double far = (1 + options.numbers.far_from_best) * cuts.front().score.at(weight);
+  team((std::min)(cuts.size(), std::size_t(options.numbers.most_judged)), [&](std::size_t i) {
+    if(i > 0 && cuts[i].score.at(weight) <= far)
       judge(cuts[i]);
     progress.advance(1);
   });

@@ -161,7 +161,7 @@ private:
     const bool has_choice =
         cuts.size() > 1 && best_of(cuts, m_weight).score.stretch <= numbers().largest_judged_stretch;
     if(has_choice && !has_passed(m_deadline)) {
-      m_progress.begin_part(1, double(cuts.size()));
+      m_progress.begin_part(1, double((std::min)(cuts.size(), std::size_t(numbers().most_judged))));
       judge_cuts(pool.surface(), m_weight, m_scoring, m_team, m_progress, cuts);
     }
     return cuts;

@@ -113,7 +113,8 @@ public:
       most_work = most_moving_work(is_square, m_patch.number_of_vertices());
       if(is_exhausted())
         return false;
-      std::vector<Corners> ends = ends_of_moves(start, is_square, is_exhausted, moves);
+      const bool may_have_other_valley = rough_map == nullptr && is_square && has_other_valleys();
+      std::vector<Corners> ends = ends_of_moves(start, is_square, may_have_other_valley, is_exhausted, moves);
       const bool is_certain =
           m_sketches && keep_best_sketch(start, m_has_sketched_candidates ? sketch : nullptr, most_work, moves, ends);
       const long work_before = m_maps.work();
@@ -139,8 +140,8 @@ private:
   }
 
   /// where the corners come to rest, but for the start itself
-  std::vector<Corners> ends_of_moves(const Corners& start, bool is_square, const std::function<bool()>& is_exhausted,
-                                     Corner_moves& moves)
+  std::vector<Corners> ends_of_moves(const Corners& start, bool is_square, bool may_have_other_valley,
+                                     const std::function<bool()>& is_exhausted, Corner_moves& moves)
   {
     std::vector<Corners> starts{start};
     if(!is_square)
@@ -149,14 +150,14 @@ private:
     std::set<Corners> ends;
     for(const Corners& corners : starts)
       ends.insert(moves.descend_from_afar(corners, is_square).corners);
-    if(is_square && has_other_valleys() && !is_exhausted())
+    if(may_have_other_valley && !is_exhausted())
       if(const auto end = end_in_other_valley(moves.compare({start}).front(), is_exhausted))
         ends.insert(*end);
     ends.erase(start);
     return {ends.begin(), ends.end()};
   }
 
-  /// indicates whether rough maps may know of a better valley than that of the best candidate: not where candidates were
+  /// indicates whether rough maps may know of a better valley than that of the best of a few candidates: not where many were
   /// compared on sketches, where the rough maps are those of the patch itself, and on small patches
   bool has_other_valleys() const
   {

@@ -37,9 +37,10 @@ inline double stretch_with_searched_corners(const Triangle_surface& surface, con
   }
 }
 
-/// judges the best cut at a weight, and then a few that come near it, by the stretch that they leave when their corners are
-/// searched: that of a few corners spread over the border is up to 3 % larger, for some cuts more than for others. A cut
+/// judges the best cut at a weight, and then the next few that come near it, by the stretch that they leave when their corners
+/// are searched: that of a few corners spread over the border is up to 3 % larger, for some cuts more than for others. A cut
 /// keeps its score where the search finds nothing better.
+/// \param cuts are sorted by the scores that they come with
 inline void judge_cuts(const Triangle_surface& surface, double weight, const Cut_score_options& options,
                        Thread_team& team, Cut_progress& progress, std::vector<Scored_cut>& cuts)
 {

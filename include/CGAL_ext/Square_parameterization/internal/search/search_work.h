@@ -113,7 +113,8 @@ inline double most_work_of_first_start(int number_of_vertices)
 constexpr double MOST_MOVING_WORK = 2.5e6;
 
 /// the same by the size of the mesh: on the square no more than half of a search, for which it counts for
-/// `LEAST_VERTICES_OF_COSTLY_MAP` at least. A rectangle is sought from several places, with all moves.
+/// `LEAST_VERTICES_OF_COSTLY_MAP` at least. Less for small meshes: of 180 surfaces of 150 vertices and more five get more than 1 %
+/// more energy, one ten times as much. A rectangle is sought from several places, with all moves.
 inline double most_moving_work(bool is_square, int number_of_vertices)
 {
   if(is_square)

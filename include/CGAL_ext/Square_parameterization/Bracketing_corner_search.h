@@ -35,9 +35,9 @@ namespace CGAL_ext {
 ///
 /// Where a map takes long, as on surfaces with long protrusions, fewer candidates are sampled, and none any more when
 /// the maps and sketches have cost as much as those of fifty candidates of an even surface, or of twenty-five on 5000 vertices
-/// or more (10000 while none has a map). On a mesh of 2500 vertices and more the first candidate is the only one when its
-/// map costs as much as those of nineteen, and where there are sketches, when its sketch is stretched tens of thousands of
-/// times, or a hundred times and costs as much as twelve.
+/// or more (10000 while none has a map). On a mesh of 2500 vertices and more the first candidate, or the best by rough
+/// maps, is the only one when its map costs as much as those of nineteen, and where there are sketches the first, when its
+/// sketch is stretched tens of thousands of times, or a hundred times and costs as much as twelve.
 ///
 /// At most \f$ \max(12, 2 \log_2 m + 4) \f$ evaluations of \f$ m \f$ candidates; 32 sketches or rough maps, or, where corners stay, about
 /// 32 sketches for each factor of 16 in \f$ m \f$. Deterministic; finds the optimum of curves that are smooth on the scale of the
@@ -67,10 +67,7 @@ public:
     const std::optional<int> rough = best_rough_candidate(problem);
     Samples samples(problem);
     samples.evaluate({rough.value_or(0)});
-    const double work = samples.work_of_first();
-    if(work > internal::MOST_WORK_OF_FIRST_MAP)
-      return;
-    if(rough && samples.are_corners_to_move())
+    if(samples.work_of_first() > internal::MOST_WORK_OF_FIRST_MAP || (rough && samples.may_corners_move()))
       return;
     const std::vector<int> even = samples.ring.even_candidates(affordable_samples(samples));
     samples.evaluate({even.begin(), even.end()});
@@ -129,8 +126,8 @@ private:
 
     bool are_all() const { return ring.number_of_known() == (std::min)(bound, ring.size()) || is_exhausted(); }
 
-    /// indicates whether corners move from the best candidate after the search
-    bool are_corners_to_move() const
+    /// indicates whether corners may move after the search from the best candidate, whose map is not hopeless then
+    bool may_corners_move() const
     {
       return problem.is_refined_by_moves && ring.objective(ring.best()) < internal::Minimizer_numbers::HOPELESS_RESULT;
     }
@@ -170,7 +167,7 @@ private:
       if(!valley && !has_several_valleys(samples.ring))
         break;
       samples.evaluate(valley ? next_samples(*valley, samples.ring) : middle_of_largest_gap(samples.ring));
-      goes_on = !samples.are_corners_to_move();
+      goes_on = !samples.may_corners_move();
     }
   }
 

@@ -53,8 +53,8 @@ struct Cut_report
   std::vector<Cut_step> history; ///< steps of the decision; empty when there was nothing to decide
 
   /// the cuts that are best at some `Cut_options::cut_weight`, the shortest first, on the surface that was decided on.
-  /// Those near the best at the weight wanted were judged by a search of their corners; the stretch of the others is that
-  /// of a few corners, up to 3 % more
+  /// The best at the weight wanted, and at most two that come near it, were judged by a search of their corners; the stretch of
+  /// the others is that of a few corners, up to 3 % more
   std::vector<Cut_choice> front;
 
   std::size_t decision_faces = 0; ///< faces of the surface decided on: fewer than the input's when that was simplified

@@ -13,6 +13,7 @@
 #include <CGAL_ext/Square_parameterization/internal/search/rough_corner_search.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -40,6 +41,7 @@ inline double stretch_with_searched_corners(const Triangle_surface& surface, con
 /// judges the best cut at a weight, and then the next few that come near it, by the stretch that they leave when their corners
 /// are searched: that of a few corners spread over the border is up to 3 % larger, for some cuts more than for others. A cut
 /// keeps its score where the search finds nothing better.
+/// \param progress of which this is the last part
 /// \param cuts are sorted by the scores that they come with
 inline void judge_cuts(const Triangle_surface& surface, double weight, const Cut_score_options& options,
                        Thread_team& team, Cut_progress& progress, std::vector<Scored_cut>& cuts)
@@ -49,10 +51,12 @@ inline void judge_cuts(const Triangle_surface& surface, double weight, const Cut
     if(stretch <= options.numbers.largest_judged_stretch)
       stretch = (std::min)(stretch, stretch_with_searched_corners(surface, cut.cut, options));
   };
+  const std::size_t most = (std::min)(cuts.size(), std::size_t(options.numbers.most_judged));
+  progress.begin_part(1, double(most));
   std::stable_sort(cuts.begin(), cuts.end(), Is_better{weight});
   judge(cuts.front());
   const double far = (1 + options.numbers.far_from_best) * cuts.front().score.at(weight);
-  team((std::min)(cuts.size(), std::size_t(options.numbers.most_judged)), [&](std::size_t i) {
+  team(most, [&](std::size_t i) {
     if(i > 0 && cuts[i].score.at(weight) <= far)
       judge(cuts[i]);
     progress.advance(1);

@@ -19,9 +19,9 @@ namespace internal {
 
 /// decides on a cut that leaves little stretch. A family of cuts of all lengths is grown on simple copies, for the same
 /// weights whatever weight is wanted; its best members are scored again on a finer copy. On a small surface the best of them
-/// at each of these weights is refined. Those that are best at some weight are judged by searched corners, and maps as near
-/// to their minima as the one that is delivered: the cut for one weight is then hardly worse than that for another. Where two
-/// all but tie, both are decided for, and their maps are to tell.
+/// at each of these weights is refined. The best at the weight that is wanted, and a few that come near it, are judged by
+/// searched corners, and maps to the tolerance of a search: the cut for one weight is then hardly worse than that for
+/// another. Where two all but tie, both are decided for, and their maps are to tell.
 /// \param surface of any size: large ones are decided on by a simplified copy
 /// \return the best cut, and then a second one where it all but ties
 std::vector<Decided_cut> search_cut(const Triangle_surface& surface, const Seam_options& options, Thread_team& team,

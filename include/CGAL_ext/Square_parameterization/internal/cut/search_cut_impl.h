@@ -149,8 +149,8 @@ private:
     return Cut_decision(options, m_team, report, numbers()).decide(surface);
   }
 
-  /// the cuts of the pool that are best at some weight of the family, and others, judged by searched corners where that is worth
-  /// its time
+  /// the cuts of the pool that are best at some weight of the family, and others, of which the best few are judged by searched
+  /// corners where that is worth its time
   std::vector<Scored_cut> judged_cuts(const Cut_pool& pool, const std::vector<double>& weights,
                                       const std::vector<Scored_cut>& others)
   {
@@ -160,10 +160,8 @@ private:
       return {pool.best(m_weight)};
     const bool has_choice =
         cuts.size() > 1 && best_of(cuts, m_weight).score.stretch <= numbers().largest_judged_stretch;
-    if(has_choice && !has_passed(m_deadline)) {
-      m_progress.begin_part(1, double((std::min)(cuts.size(), std::size_t(numbers().most_judged))));
+    if(has_choice && !has_passed(m_deadline))
       judge_cuts(pool.surface(), m_weight, m_scoring, m_team, m_progress, cuts);
-    }
     return cuts;
   }
 

@@ -98,7 +98,8 @@ public:
   /// then on sketches, if there are some, and maps for what comes out. False when the given ones are to be mapped, too, since
   /// they may still be better, and that does not cost too much; and where they have no rough map to compare with, or a step
   /// would cost too much.
-  /// \param sketch of the given ones, or where candidates are not compared on sketches their rough map; may be null
+  /// \param sketch of the given ones, or where candidates are compared by rough maps, not on sketches, their rough map; without
+  ///        either, which may be null, another valley is sought on the square
   bool move(const Corners& start, const Uv_coordinates* sketch)
   {
     try {

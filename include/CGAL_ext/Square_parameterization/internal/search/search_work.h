@@ -26,8 +26,8 @@ inline double most_search_work(int number_of_vertices, bool has_map)
 }
 
 /// sweeps over the mesh that the map of the first candidate, or one for corners that have moved, may cost for others to be
-/// mapped, too: surfaces of the usual kinds take up to 410, those that are nearly all fins, nails or coils 470 to 890.
-/// Other corners lower the L2 of these by 1 % at most.
+/// mapped, too, where no rough maps tell which one is best: surfaces of the usual kinds take up to 410, those that are nearly
+/// all fins, nails or coils 470 to 890. Other corners lower the L2 of these by 1 % at most.
 constexpr double MOST_WORK_OF_FIRST_MAP = 450;
 
 /// vertices that such a sweep counts for, at least: maps of smaller meshes are soon made
@@ -37,8 +37,9 @@ constexpr int LEAST_VERTICES_OF_COSTLY_MAP = 2500;
 /// thousands of spikes cost 230 to 830, and all sketches of these are alike
 constexpr double MOST_WORK_OF_HOPELESS_SKETCH = 200;
 
-/// sweeps over the mesh that a map or sketch may cost, in the mean, for corners to move: those of fifteen candidates of an
-/// even surface. Rough maps do not count. Maps that cost more are too far from their minima when they are compared to tell corners apart.
+/// sweeps over the mesh that a map or sketch may cost, in the mean, for corners to move, or the one map that is made where rough
+/// maps tell which candidate is best: those of fifteen candidates of an even surface. Rough maps do not count. Maps that cost
+/// more are too far from their minima when they are compared to tell corners apart.
 constexpr double MOST_WORK_TO_MOVE = 300;
 
 /// vertices that a sweep over the mesh counts for, at most, where sketches are counted, which are as small on all large
